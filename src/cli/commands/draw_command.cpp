@@ -4,19 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
-#include <memory>
 #include <numbers>
 #include <optional>
 
 #include <fmt/format.h>
 
-#include "balcony/display_file.hpp"
-#include "balcony/drawing.hpp"
-#include "balcony/inputs.hpp"
-#include "balcony/lang.hpp"
-#include "balcony/output_file.hpp"
-#include "balcony/scene.hpp"
+#include "balcony/studies.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/interruption.hpp"
 #include "cli/options/command_rows.hpp"
@@ -25,15 +18,10 @@ namespace balcony::cli {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 struct DrawOptions {
-    std::string camera;
+    app::DrawRequest request;  ///< Without its view and its colour.
     std::string output;
-    std::vector<std::string> set;
-    analyse::Depiction depiction;
     std::array<double, 2> direction{-50.0, 25.0};  ///< Azimuth and elevation in degrees.
-    analyse::DrawingView view;                     ///< From there, in the size.
     std::optional<Imath::Color3f> color;
     PictureSize size;
     Manner manner;
@@ -77,12 +65,14 @@ app::Value<std::array<double, 2>> direction_value() {
 app::Options<DrawOptions> arrow_options() {
     using analyse::Depiction;
     const auto part = [](const char* name, const char* meaning, bool Depiction::*shown) {
-        return flag({.name = name, .meaning = meaning}, false, &DrawOptions::depiction, shown);
+        return flag({.name = name, .meaning = meaning}, false, &DrawOptions::request,
+                    &app::DrawRequest::depiction, shown);
     };
     return {{option({.name = "--rays",
                      .placeholder = "COUNT",
                      .meaning = "number of arrows along the longer side of the camera's picture"},
-                    app::count(0, 100), &DrawOptions::depiction, &Depiction::rays),
+                    app::count(0, 100), &DrawOptions::request, &app::DrawRequest::depiction,
+                    &Depiction::rays),
              option({.name = "--length",
                      .placeholder = "LENGTH",
                      .meaning = "length of the arrows in scene units"},
@@ -90,7 +80,7 @@ app::Options<DrawOptions> arrow_options() {
                                                      "give auto, or a length above 0 in scene "
                                                      "units",
                                                      "scene units")),
-                    &DrawOptions::depiction, &Depiction::length),
+                    &DrawOptions::request, &app::DrawRequest::depiction, &Depiction::length),
              option({.name = "--color",
                      .placeholder = "COLOUR",
                      .meaning = "colour of the arrows: a grey level, or red,green,blue (linear, "
@@ -105,88 +95,24 @@ app::Options<DrawOptions> arrow_options() {
              part("--no-axes", "omit the axes", &Depiction::axes)}};
 }
 
-enum class Format { svg, picture, glb };
-
-std::optional<Format> format_of(const fs::path& file) {
-    const std::string ending = ending_of(file);
-    return ending == ".svg"                          ? std::optional(Format::svg)
-           : ending == ".glb"                        ? std::optional(Format::glb)
-           : render::display_format(file) != nullptr ? std::optional(Format::picture)
-                                                     : std::nullopt;
-}
-
-void check_drawing(DrawOptions& options, const app::GivenWords&, Diagnostics& found) {
-    constexpr std::size_t minimum = 16;
-    constexpr std::size_t maximum = 16384;
+app::DrawRequest request_of(const DrawOptions& options) {
     constexpr std::array<std::size_t, 2> standard{960, 720};
-    const auto [width, height] = options.size.resolve(4.0 / 3.0, standard);
     constexpr double radians = std::numbers::pi / 180.0;
-    options.view = {options.direction[0] * radians, options.direction[1] * radians, width, height};
-    if (std::min(width, height) < minimum || std::max(width, height) > maximum) {
-        found.push_back(error(Kind::usage,
-                              fmt::format("a drawing cannot have {} x {} pixels", width, height),
-                              fmt::format("give a size such as 960x720; a side has {} to {} pixels",
-                                          minimum, maximum)));
-    } else if (!format_of(options.output)) {
-        found.push_back(
-            error(Kind::usage,
-                  fmt::format("the file extension of '{}' is not a drawing format", options.output),
-                  "use a file name that ends in .svg, .png, .jpg, .webp, .tif or .glb"));
-    }
-}
-
-// What a signal may end; not so the writing of a file.
-template <class Work>
-auto stoppable(const Work& work) {
-    const Job job;
-    return work(job.token());
-}
-
-Diagnostics write(const analyse::Drawing& drawing, Format format, const fs::path& file) {
-    if (format == Format::svg) {
-        return write_whole(file, analyse::to_svg(drawing));
-    }
-    const Result<Image> image = stoppable(
-        [&drawing](const std::stop_token& stop) { return analyse::rasterise(drawing, {}, stop); });
-    return image ? render::write_samples(image->samples, {image->width, image->height, 3}, file)
-                 : image.diagnostics;
-}
-
-void write(const camera::Picture& picture, const DrawOptions& options, Answer& answer) {
-    analyse::Depiction depiction = options.depiction;
+    const auto [width, height] = options.size.resolve(4.0 / 3.0, standard);
+    app::DrawRequest request = options.request;
+    request.view = {options.direction[0] * radians, options.direction[1] * radians, width, height};
     if (options.color) {
-        depiction.color = drawing_color(*options.color);
+        request.depiction.color = drawing_color(*options.color);
     }
-    const Format format = *format_of(options.output);
-    if (format == Format::glb) {
-        const auto scene = stoppable([&](const std::stop_token& stop) {
-            return analyse::model(picture, depiction, {}, stop);
-        });
-        if (answer.add(scene.diagnostics)) {
-            answer.add(write_whole(options.output, scene::to_glb(*scene)));
-        }
-    } else {
-        const auto drawing = stoppable([&](const std::stop_token& stop) {
-            return analyse::draw(picture, depiction, options.view, {}, stop);
-        });
-        if (answer.add(drawing.diagnostics)) {
-            answer.add(write(*drawing, format, options.output));
-        }
-    }
+    request.output = options.output;
+    return request;
 }
 
 ExitCode draw(const DrawOptions& options) {
     Answer answer;
     answer.facts["output"] = nullptr;
-    if (answer.add(OutputFile::check(options.output))) {
-        lang::Workspace workspace;
-        const auto picture = load_picture(options.camera, options.set, workspace);
-        if (answer.add(picture.diagnostics) &&
-            answer.add(app::check_overwrites(options.output, workspace.files()))) {
-            write(*picture, options, answer);
-        }
-    }
-    if (answer.is_done()) {
+    const Job job;
+    if (answer.add(app::draw(request_of(options), job.token()))) {
         answer.facts["output"] = options.output;
         answer.text = fmt::format("{}: drawn\n", printable(options.output));
     }
@@ -197,23 +123,25 @@ ExitCode draw(const DrawOptions& options) {
 
 void add_draw_command(CLI::App& app, ExitCode& code) {
     const auto describe = [](Command& command, DrawOptions& options) {
-        app::Options<DrawOptions> all{
-            {camera_argument(&DrawOptions::camera),
-             output_option(
-                 &DrawOptions::output,
-                 "output file: a picture (.svg, .png, .jpg, .webp, .tif) or a scene (.glb)", true),
-             app::set_option(&DrawOptions::set),
-             app::time_option(largest, &DrawOptions::depiction, &analyse::Depiction::time),
-             option({.name = "--view",
-                     .placeholder = "AZIMUTH,ELEVATION",
-                     .meaning = "direction of the viewer in degrees: around z from x, and above "
-                                "the horizon"},
-                    direction_value(), &DrawOptions::direction)}};
+        app::Options<DrawOptions> all;
+        all.add(&DrawOptions::request, {{camera_argument(&app::DrawRequest::camera)}});
+        all.rows.push_back(output_option(
+            &DrawOptions::output,
+            "output file: a picture (.svg, .png, .jpg, .webp, .tif) or a scene (.glb)", true));
+        all.add(
+            &DrawOptions::request,
+            {{app::set_option(&app::DrawRequest::set),
+              app::time_option(largest, &app::DrawRequest::depiction, &analyse::Depiction::time)}});
+        all.rows.push_back(
+            option({.name = "--view",
+                    .placeholder = "AZIMUTH,ELEVATION",
+                    .meaning = "direction of the viewer in degrees: around z from x, and above "
+                               "the horizon"},
+                   direction_value(), &DrawOptions::direction));
         all.add(&DrawOptions::size,
                 app::size_options("size of a drawing in pixels (default: 960x720)"));
         all.add(arrow_options());
         all.add(manner_options(&DrawOptions::manner, "print file name and diagnostics as JSON"));
-        all.checks.emplace_back(check_drawing);
         command.add(std::move(all), options);
         command.footer(
             "Examples:\n"

@@ -5,17 +5,13 @@
 #include <filesystem>
 #include <iostream>
 #include <limits>
-#include <memory>
 #include <span>
 #include <string_view>
-#include <tuple>
 
 #include <fmt/format.h>
 
 #include "balcony/data.hpp"
-#include "balcony/inverse.hpp"
-#include "balcony/probe.hpp"
-#include "balcony/scene.hpp"
+#include "balcony/studies.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/interruption.hpp"
 #include "cli/options/command_rows.hpp"
@@ -25,16 +21,12 @@ namespace balcony::cli {
 namespace {
 
 using analyse::V3d;
+using app::Located;
+using app::LocateRequest;
 
 struct LocateOptions {
-    std::string camera;
-    std::vector<V3d> points;
-    std::string file;
-    std::vector<std::string> set;
-    PictureSize size;
-    double time = 0.0;
-    std::optional<Axes> axes;
-    std::string scene;
+    LocateRequest request;
+    std::string file;  ///< Of further points.
     Manner manner;
 };
 
@@ -99,137 +91,38 @@ void check_points(LocateOptions& options, const app::GivenWords& given, Diagnost
     }
 }
 
-app::Option<LocateOptions> point_option() {
-    return app::custom_option<LocateOptions>(
+app::Option<LocateRequest> point_option() {
+    return app::custom_option<LocateRequest>(
         {.name = "--point",
          .placeholder = "X,Y,Z",
          .meaning = "point in space; may be repeated",
          .repeated = true},
-        [](std::span<const std::string> words, LocateOptions& options, Diagnostics& found) {
+        [](std::span<const std::string> words, LocateRequest& request, Diagnostics& found) {
             for (const std::string& word : words) {
                 if (const std::optional<V3d> point = point_of(word)) {
-                    options.points.push_back(*point);
+                    request.points.push_back(*point);
                 } else {
                     found.push_back(app::refused("--point", word,
                                                  "write three numbers, such as --point 1,0.5,-2"));
                 }
             }
         },
-        [](const LocateOptions& options) {
+        [](const LocateRequest& request) {
             std::vector<std::string> words;
-            for (const V3d& point : options.points) {
+            for (const V3d& point : request.points) {
                 words.push_back(fmt::format("{},{},{}", point.x, point.y, point.z));
             }
             return words;
         });
 }
 
-// The points to locate and the positions found.
-struct Located {
-    std::string camera;
-    std::vector<std::string> layers;  ///< Names of the picture's layers; one for a camera.
-    /// The numbers of these layers: "2", or "3.1" in the picture of layer 3.
-    std::vector<std::string> numbers;
-    std::size_t width = 0;
-    std::size_t height = 0;
-    bool closed_form = false;
-    Axes axes = Axes::z_up;   ///< Of the points.
-    std::string axes_from;    ///< "axes of the camera"
-    std::vector<V3d> points;  ///< As given.
-    std::vector<analyse::Sighting> sightings;
-    /// With a scene: the obstacle that hides each sighting.
-    std::optional<std::vector<std::optional<render::Obstacle>>> obstacles;
-    std::vector<scene::Object> objects;  ///< Of the scene.
-};
-
-std::vector<std::string> numbers_of_layers(const camera::Picture& picture, std::size_t count) {
-    std::vector<std::string> numbers(count);
-    for (const camera::ShownCamera& shown : shown_cameras(picture)) {
-        for (const camera::ShownCamera::LayerUse& use : shown.uses) {
-            numbers[use.index] = use.layer;
-        }
+std::string_view text_of(app::AxesSource source) {
+    switch (source) {
+        case app::AxesSource::request: return "by --axes";
+        case app::AxesSource::scene: return "axes of the scene";
+        case app::AxesSource::camera: break;
     }
-    return numbers;
-}
-
-// Determines whether the sightings are hidden in a scene.
-void look_for_obstacles(const scene::Scene& scene, Axes axes, Located& located,
-                        Diagnostics& diagnostics) {
-    const auto renderer = render::Renderer::make(std::make_shared<const scene::Scene>(scene),
-                                                 {.textures_on_demand = true});
-    add_to(diagnostics, renderer.diagnostics);
-    if (!renderer) {
-        return;
-    }
-    std::vector<render::SightLine> lines;
-    lines.reserve(located.sightings.size());
-    for (const analyse::Sighting& sighting : located.sightings) {
-        lines.push_back({sighting.origin, located.points[sighting.point]});
-    }
-    auto found = render::find_obstacles(*renderer, lines, axes);
-    add_to(diagnostics, found.diagnostics);
-    located.obstacles = std::move(found.value);
-    located.objects = scene.objects;
-}
-
-// By default, points are in the axes of the scene, if there is one.
-Located find_all(const LocateOptions& options, std::vector<V3d> points, Answer& answer) {
-    Located found;
-    std::optional<Axes> axes = options.axes;
-    std::optional<scene::Scene> scene;
-    if (!options.scene.empty()) {
-        Result<scene::Scene> loaded = app::load_scene(options.scene, options.time);
-        answer.add(loaded.diagnostics);
-        scene = std::move(loaded.value);
-    }
-    Result<camera::Picture> picture = scene ? load_picture(options.camera, options.set, *scene)
-                                            : load_picture(options.camera, options.set);
-    answer.add(picture.diagnostics);
-    if (!answer.is_done()) {
-        return found;
-    }
-    found.axes_from = axes ? "by --axes" : scene ? "axes of the scene" : "axes of the camera";
-    if (scene && !axes) {
-        axes = scene->axes;
-    }
-    found.camera = picture->name();
-    *picture = picture->with_fit(options.size.fit);
-    std::tie(found.width, found.height) =
-        options.size.resolve(picture->aspect(), picture->parts().size);
-    std::optional<Job> job(std::in_place);
-    const auto locator = analyse::Locator::make(*picture, static_cast<double>(found.width),
-                                                static_cast<double>(found.height), options.time,
-                                                axes, {}, job->token());
-    if (!answer.add(locator.diagnostics)) {
-        return found;
-    }
-    found.layers = locator->layers();
-    found.numbers = numbers_of_layers(*picture, found.layers.size());
-    found.closed_form = locator->closed_form();
-    found.axes = locator->axes();
-    found.points = std::move(points);
-    std::vector<std::size_t> in_part;
-    auto sightings = locator->locate(found.points, in_part, {}, job->token());
-    job.reset();
-    if (!answer.add(sightings.diagnostics)) {
-        return found;
-    }
-    found.sightings = std::move(*sightings);
-    if (!in_part.empty()) {
-        answer.add(
-            {warning(fmt::format("so many parts of the picture may see {} that not all "
-                                 "of these parts were searched",
-                                 counted(in_part.size(), "point", "points")))});
-    }
-    if (found.sightings.empty() && !found.points.empty()) {
-        answer.add(app::explain_unseen({*picture, static_cast<double>(found.width),
-                                        static_cast<double>(found.height), options.time, found.axes,
-                                        found.points}));
-    }
-    if (scene) {
-        look_for_obstacles(*scene, found, answer);
-    }
-    return found;
+    return "axes of the camera";
 }
 
 std::string name_of(const Located& located, const render::Obstacle& obstacle) {
@@ -255,9 +148,9 @@ std::string line_of(const Located& located, std::size_t number) {
 
 std::string text_of(const Located& located) {
     const std::string_view heading = located.obstacles ? " is in the picture at" : " is visible at";
-    std::string text =
-        fmt::format("{}, {} x {} pixels; points are read with {} ({})\n", printable(located.camera),
-                    located.width, located.height, app::axes_text(located.axes), located.axes_from);
+    std::string text = fmt::format("{}, {} x {} pixels; points are read with {} ({})\n",
+                                   printable(located.camera), located.width, located.height,
+                                   app::axes_text(located.axes), text_of(located.axes_from));
     std::size_t next = 0;
     for (std::size_t number = 0; number < located.points.size(); ++number) {
         const V3d& point = located.points[number];
@@ -304,15 +197,16 @@ nlohmann::json json_of(const Located& located) {
 
 ExitCode locate(const LocateOptions& options) {
     Answer answer;
-    std::vector<V3d> points = options.points;
+    LocateRequest request = options.request;
     if (!options.file.empty()) {
-        read_rows(options.file, points, answer.diagnostics);
+        read_rows(options.file, request.points, answer.diagnostics);
     }
     if (answer.is_done()) {
-        const Located located = find_all(options, std::move(points), answer);
-        if (answer.is_done()) {
-            answer.facts = json_of(located);
-            answer.text = text_of(located);
+        const Job job;
+        const Result<Located> located = app::locate(request, job.token());
+        if (answer.add(located.diagnostics)) {
+            answer.facts = json_of(*located);
+            answer.text = text_of(*located);
         }
     }
     return give(answer, options.manner);
@@ -322,25 +216,28 @@ ExitCode locate(const LocateOptions& options) {
 
 void add_locate_command(CLI::App& app, ExitCode& code) {
     const auto describe = [](Command& command, LocateOptions& options) {
-        app::Options<LocateOptions> all{
-            {camera_argument(&LocateOptions::camera), point_option(),
-             option({.name = "--points",
-                     .placeholder = "FILE",
-                     .meaning = "table with one point per line; - is standard input"},
-                    text(OptionType::file), &LocateOptions::file),
-             scene_option(&LocateOptions::scene,
+        app::Options<LocateOptions> all;
+        all.add(&LocateOptions::request,
+                {{camera_argument(&LocateRequest::camera), point_option()}});
+        all.rows.push_back(option({.name = "--points",
+                                   .placeholder = "FILE",
+                                   .meaning = "table with one point per line; - is standard input"},
+                                  text(OptionType::file), &LocateOptions::file));
+        app::Options<LocateRequest> request{
+            {scene_option(&LocateRequest::scene,
                           "scene file: also report whether the point is hidden, by which object "
                           "and at which distance"),
-             app::set_option(&LocateOptions::set)},
-            {check_points}};
-        all.add(&LocateOptions::size, app::size_options("size of the picture in pixels"));
-        all.add(&LocateOptions::size, app::aspect_options());
-        all.add(
-            {{app::time_option(std::numeric_limits<double>::max(), &LocateOptions::time),
-              axes_option(&LocateOptions::axes,
+             app::set_option(&LocateRequest::set)}};
+        request.add(&LocateRequest::size, app::size_options("size of the picture in pixels"));
+        request.add(&LocateRequest::size, app::aspect_options());
+        request.add(
+            {{app::time_option(std::numeric_limits<double>::max(), &LocateRequest::time),
+              axes_option(&LocateRequest::axes,
                           "axes of the points: y_up, as in most scenes, or z_up (default: those of "
-                          "the scene or, without a scene, of the camera)"),
-              json_flag(&LocateOptions::manner, "print the positions as JSON")}});
+                          "the scene or, without a scene, of the camera)")}});
+        all.add(&LocateOptions::request, std::move(request));
+        all.rows.push_back(json_flag(&LocateOptions::manner, "print the positions as JSON"));
+        all.checks.emplace_back(check_points);
         command.add(std::move(all), options);
         command.footer(
             "Examples:\n"

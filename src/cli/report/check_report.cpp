@@ -18,6 +18,7 @@ using analyse::Finding;
 using analyse::Place;
 using analyse::Report;
 using analyse::Statistics;
+using app::CameraCheck;
 
 std::string percent(double share) { return fmt::format("{:.3g} %", 100.0 * share); }
 
@@ -155,46 +156,6 @@ nlohmann::json scene_json(const CameraCheck::InScene& found) {
 
 }  // namespace
 
-std::size_t CameraCheck::defect_count() const {
-    auto count = static_cast<std::size_t>(
-        std::count_if(report.findings.begin(), report.findings.end(),
-                      [](const Finding& finding) { return finding.defect; }));
-    if (in_scene) {
-        count += in_scene->miss ? 1U : 0U;
-        count += static_cast<std::size_t>(
-            std::count_if(in_scene->starts_inside.begin(), in_scene->starts_inside.end(),
-                          [](const Start& start) { return !start.room; }));
-    }
-    return count;
-}
-
-std::string CameraCheck::title() const {
-    std::string text = report.camera + (by_itself && !layers.empty() ? ", and" : "");
-    for (std::size_t i = 0; i < layers.size(); ++i) {
-        text += fmt::format("{} layer {} of {}", i > 0 || !by_itself ? "," : "", layers[i].number,
-                            layers[i].picture);
-    }
-    return text;
-}
-
-CameraCheck::InScene in_scene(const scene::Scene& scene, const render::Probe& probe) {
-    CameraCheck::InScene found;
-    found.scene = scene.name;
-    for (std::size_t i = 0; i < probe.objects.size(); ++i) {
-        const render::ObjectSight& sight = probe.objects[i];
-        if (sight.has_surface && !sight.seen) {
-            found.never_seen.push_back(scene.objects[i].name);
-        }
-        if (sight.rays_from_inside > 0) {
-            const double share =
-                static_cast<double>(sight.rays_from_inside) / static_cast<double>(probe.rays);
-            found.starts_inside.push_back({scene.objects[i].name, share, sight.inside_at,
-                                           sight.rays_from_inside == probe.rays});
-        }
-    }
-    return found;
-}
-
 std::string check_text(const CameraCheck& check) {
     const Report& report = check.report;
     std::string text =
@@ -223,6 +184,9 @@ std::string check_text(const CameraCheck& check) {
         text += line("no defects", report.findings.empty()
                                        ? "rays everywhere, no folds, no seams, no repeated views"
                                        : "apart from what is said above");
+    }
+    for (const std::filesystem::path& map : check.maps) {
+        text += line("map", printable(map.string()));
     }
     return text;
 }

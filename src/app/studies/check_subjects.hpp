@@ -5,13 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "balcony/inputs.hpp"
-#include "balcony/request.hpp"
-#include "cli/report/check_report.hpp"
+#include "balcony/lang.hpp"
+#include "balcony/studies.hpp"
 
-namespace balcony::cli {
+namespace balcony::app {
 
-/// A camera to analyse, with its size in the picture.
+/// A camera to check, with its size in the picture.
 struct CheckSubject {
     camera::Camera camera;
     bool by_itself = false;
@@ -20,17 +19,10 @@ struct CheckSubject {
     double height = 0.0;
 };
 
-struct SubjectRequest {
-    std::vector<std::string> set{};
-    std::string layer{};      ///< If set: only this layer of one picture, with its nested layers.
-    app::PictureSize size{};  ///< The size of whole pictures.
-    double time = 0.0;
-};
-
 /// Makes all pictures of a file, so that its mistakes are found, and returns the cameras in those
 /// of FILE, or in the one of FILE:NAME. Cameras with the same parameters occur once.
 [[nodiscard]] Result<std::vector<CheckSubject>> check_subjects(const std::string& argument,
-                                                               const SubjectRequest& request,
+                                                               const CheckRequest& request,
                                                                lang::Workspace& workspace);
 
-}  // namespace balcony::cli
+}  // namespace balcony::app

@@ -1,20 +1,20 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-#include "cli/options/check_subjects.hpp"
+#include "app/studies/check_subjects.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
-namespace balcony::cli {
+namespace balcony::app {
 
 namespace {
 
 class SubjectList {
 public:
-    explicit SubjectList(const SubjectRequest& request) : request_(request) {}
+    explicit SubjectList(const CheckRequest& request) : request_(request) {}
 
     void add(const camera::Picture& picture) {
         const auto [whole_width, whole_height] =
@@ -71,13 +71,13 @@ private:
         enlarge(*known, {subject.width, subject.height});
     }
 
-    const SubjectRequest& request_;
+    const CheckRequest& request_;
     std::vector<CheckSubject> subjects_;
 };
 
 // The requested pictures of a file.
-Result<std::vector<camera::Picture>> make_pictures(const app::CameraArgument& wanted,
-                                                   const SubjectRequest& request,
+Result<std::vector<camera::Picture>> make_pictures(const CameraArgument& wanted,
+                                                   const CheckRequest& request,
                                                    lang::Workspace& workspace) {
     std::string name = wanted.name;
     if (name.empty() && !request.layer.empty()) {
@@ -94,9 +94,9 @@ Result<std::vector<camera::Picture>> make_pictures(const app::CameraArgument& wa
 }  // namespace
 
 Result<std::vector<CheckSubject>> check_subjects(const std::string& argument,
-                                                 const SubjectRequest& request,
+                                                 const CheckRequest& request,
                                                  lang::Workspace& workspace) {
-    const Result<app::CameraArgument> wanted = app::read_camera(argument, request.set);
+    const Result<CameraArgument> wanted = read_camera(argument, request.set);
     if (!wanted) {
         return wanted.diagnostics;
     }
@@ -121,4 +121,4 @@ Result<std::vector<CheckSubject>> check_subjects(const std::string& argument,
     return {std::move(subjects), pictures.diagnostics};
 }
 
-}  // namespace balcony::cli
+}  // namespace balcony::app

@@ -1,0 +1,164 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Studies of a camera without a picture: what is wrong with it, where it shows points, and how it
+// looks from outside.
+//
+//     check(CheckRequest) ─▶ CheckReport        locate(LocateRequest) ─▶ Located
+//     draw(DrawRequest)   ─▶ a file
+//
+// Cameras are named as in Request::camera, but not those of a scene, unless it says so. A stop ends
+// each of these with an error of Kind::interrupted.
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "balcony/diagnose.hpp"
+#include "balcony/drawing.hpp"
+#include "balcony/inputs.hpp"
+#include "balcony/inverse.hpp"
+#include "balcony/probe.hpp"
+#include "balcony/request.hpp"
+#include "balcony/scene.hpp"
+
+namespace balcony::app {
+
+// --------------------------------------------------------------------------------------- check
+
+/// A false-colour picture of a camera, and its file: .png, .jpg, .webp or .tif.
+struct MapFile {
+    analyse::MapKind kind = analyse::MapKind::magnification;
+    std::filesystem::path file;
+};
+
+struct CheckRequest {
+    /// Files, whose cameras are all checked, and single cameras or pictures.
+    std::vector<std::string> files{};
+    std::vector<std::string> set{};  ///< Values of parameters: "gamma=1/2".
+    /// The number of a layer of the only picture: 1 is at the back, 3.1 is in the picture of layer
+    /// 3. All layers if it is empty.
+    std::string layer{};
+    PictureSize size{};   ///< Of whole pictures.
+    double time = 0.0;    ///< The value of t in the cameras' formulas, and of the scene.
+    std::string scene{};  ///< Without one, nothing is known about objects.
+    /// From the ray origins to where magnification is measured; if empty, it depends on the scene
+    /// or, without one, on the camera.
+    std::optional<double> distance{};
+    std::vector<MapFile> maps{};  ///< Of the only camera.
+};
+
+/// What is known of one camera.
+struct CameraCheck {
+    analyse::Report report;
+
+    /// A layer that shows the camera with these parameters.
+    struct Layer {
+        std::string picture;
+        std::string number;  ///< "2", or "3.1" in the picture of layer 3.
+    };
+    bool has_lens = false;  ///< The report is about the rays through its centre.
+    bool by_itself = true;  ///< Whether it was also asked for on its own.
+    std::vector<Layer> layers{};
+
+    struct Start {
+        std::string object;
+        double share = 0.0;  ///< The fraction of the rays.
+        analyse::V2d point;  ///< An example of a position in the picture.
+        bool room = false;   ///< All rays start in it, so it is probably a room.
+    };
+    struct InScene {
+        std::string scene;
+        std::vector<std::string> never_seen{};
+        std::vector<Start> starts_inside{};
+        std::optional<MissText> miss{};  ///< If no ray meets anything.
+    };
+    std::optional<InScene> in_scene{};
+    std::vector<std::filesystem::path> maps{};  ///< The files that were written.
+
+    /// Objects that are never visible do not count, unless all are.
+    [[nodiscard]] std::size_t defect_count() const;
+    /// The camera and the layers that show it: "visitor, layer 2 of poster".
+    [[nodiscard]] std::string title() const;
+};
+
+/// What is known of one of CheckRequest::files.
+struct FileCheck {
+    std::string file;
+    std::size_t cameras = 0;  ///< That the file has, whether they are checked or not.
+    std::size_t pictures = 0;
+    bool good = false;  ///< Whether it has no errors.
+    std::vector<CameraCheck> checks{};
+};
+
+struct CheckReport {
+    Diagnostics diagnostics;
+    std::vector<FileCheck> files;
+};
+
+/// What is told while cameras are checked, in the order in which it is found. May be empty.
+struct CheckObserver {
+    std::function<void(const Diagnostics&)> tell{};
+    std::function<void(const FileCheck&)> file{};  ///< Before its cameras are checked.
+    std::function<void(const CameraCheck&)> camera{};
+};
+
+/// Checks files and their cameras. Errors of Kind::usage come before anything is checked.
+[[nodiscard]] CheckReport check(const CheckRequest& request, const CheckObserver& observer = {},
+                                const std::stop_token& stop = {});
+
+// -------------------------------------------------------------------------------------- locate
+
+struct LocateRequest {
+    std::string camera;              ///< With a scene also scene:NAME.
+    std::vector<std::string> set{};  ///< Values of parameters: "gamma=1/2".
+    PictureSize size{};
+    double time = 0.0;
+    std::optional<Axes> axes{};  ///< Of the points; if empty, those of the scene or the camera.
+    std::string scene{};         ///< Without one, nothing is known about obstacles.
+    std::vector<analyse::V3d> points{};
+};
+
+/// What decided on the axes of points.
+enum class AxesSource : std::uint8_t { request, scene, camera };
+
+/// Points, and where a picture shows them.
+struct Located {
+    std::string camera;
+    std::vector<std::string> layers;   ///< Names of the picture's layers; one for a camera.
+    std::vector<std::string> numbers;  ///< Of these layers: "2", or "3.1".
+    std::size_t width = 0;
+    std::size_t height = 0;
+    bool closed_form = false;
+    Axes axes = Axes::z_up;  ///< Of the points.
+    AxesSource axes_from = AxesSource::camera;
+    std::vector<analyse::V3d> points;  ///< As given.
+    std::vector<analyse::Sighting> sightings;
+    /// With a scene: the obstacle that hides each sighting, if there is one.
+    std::optional<std::vector<std::optional<render::Obstacle>>> obstacles;
+    std::vector<scene::Object> objects;  ///< Of the scene.
+};
+
+[[nodiscard]] Result<Located> locate(const LocateRequest& request,
+                                     const std::stop_token& stop = {});
+
+// ---------------------------------------------------------------------------------------- draw
+
+struct DrawRequest {
+    std::string camera;
+    std::vector<std::string> set{};  ///< Values of parameters: "gamma=1/2".
+    analyse::Depiction depiction{};
+    analyse::DrawingView view{};
+    /// A picture (.svg, .png, .jpg, .webp, .tif), or a scene (.glb), which has no view.
+    std::filesystem::path output{};
+};
+
+/// Draws a camera, or the cameras of a picture, to a file, which is complete or unchanged.
+[[nodiscard]] Diagnostics draw(const DrawRequest& request, const std::stop_token& stop = {});
+
+}  // namespace balcony::app

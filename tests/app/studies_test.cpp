@@ -1,0 +1,124 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// What a front end learns of a camera without a picture.
+
+#include <filesystem>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "balcony/studies.hpp"
+
+namespace balcony::app::studies_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class StudiesTest : public testing::Test {
+protected:
+    void SetUp() override {
+        fs::remove_all(folder_);
+        fs::create_directories(folder_);
+    }
+
+    std::string file(const char* name, const char* text = nullptr) const {
+        if (text != nullptr) {
+            std::ofstream(folder_ / name) << text;
+        }
+        return (folder_ / name).string();
+    }
+
+    // A wall two units before the origin, along -z as in OBJ files with y up.
+    std::string wall() const {
+        return file("wall.obj", "o wall\nv -9 -9 -2\nv 9 -9 -2\nv 9 9 -2\nv -9 9 -2\nf 1 2 3 4\n");
+    }
+
+private:
+    fs::path folder_ = fs::path(testing::TempDir()) / "studies";
+};
+
+// u turns back at the middle of the picture, so the left half shows the right one again.
+constexpr const char* folded = R"(
+    camera folded {
+        map   u = -1 .. 1, v = -1 .. 1
+        warp  formula(u, v) = [abs(u), v]
+        eye   point(0, 0, 0)
+        toward plane((1, 0, 0))
+    }
+    camera plain {
+        map   u = 1 .. -1, v = -1 .. 1
+        eye   point(0, 0, 0)
+        toward plane((1, 0, 0))
+    })";
+
+TEST_F(StudiesTest, EachCameraOfAFileHasItsDefects) {
+    const std::string cameras = file("two.cam", folded);
+    std::vector<std::string> told;
+    CheckObserver observer;
+    observer.file = [&](const FileCheck& found) { told.push_back(found.file); };
+    observer.camera = [&](const CameraCheck& found) { told.push_back(found.title()); };
+    const CheckReport report = check({.files = {cameras}, .size = {.width = 64}}, observer);
+    ASSERT_FALSE(has_errors(report.diagnostics)) << to_text(report.diagnostics);
+    ASSERT_EQ(report.files.size(), 1U);
+    EXPECT_TRUE(report.files[0].good);
+    EXPECT_EQ(report.files[0].cameras, 2U);
+    ASSERT_EQ(report.files[0].checks.size(), 2U);
+    EXPECT_GT(report.files[0].checks[0].defect_count(), 0U);
+    EXPECT_EQ(report.files[0].checks[1].defect_count(), 0U);
+    EXPECT_EQ(told, (std::vector<std::string>{cameras, "folded", "plain"}));
+}
+
+TEST_F(StudiesTest, WhatCannotBeAskedIsUsageAndNothingIsRead) {
+    const std::string map = file("map.png");
+    const CheckReport report =
+        check({.files = {"none.cam"},
+               .maps = {{analyse::MapKind::magnification, map}, {analyse::MapKind::seams, map}}});
+    EXPECT_EQ(kind_of_errors(report.diagnostics), Kind::usage);
+    EXPECT_EQ(report.diagnostics.size(), 1U) << to_text(report.diagnostics);
+    EXPECT_TRUE(report.files.empty());
+}
+
+TEST_F(StudiesTest, APointBehindAWallIsHiddenByIt) {
+    const auto located = locate({.camera = "pinhole",
+                                 .set = {"yaw=90deg"},
+                                 .size = {.width = 200, .height = 100},
+                                 .scene = wall(),
+                                 .points = {{0.0, 0.0, -1.0}, {0.0, 0.0, -3.0}, {0.0, 0.0, 1.0}}});
+    ASSERT_TRUE(located) << to_text(located.diagnostics);
+    EXPECT_EQ(located->axes_from, AxesSource::scene);
+    ASSERT_EQ(located->sightings.size(), 2U);
+    ASSERT_TRUE(located->obstacles);
+    for (std::size_t i = 0; i < 2; ++i) {
+        EXPECT_EQ(located->sightings[i].point, i);
+        EXPECT_NEAR(located->sightings[i].position.x, 100.0, 1e-9);
+        EXPECT_NEAR(located->sightings[i].position.y, 50.0, 1e-9);
+    }
+    EXPECT_FALSE((*located->obstacles)[0]);
+    ASSERT_TRUE((*located->obstacles)[1]);
+    EXPECT_EQ(located->objects[(*located->obstacles)[1]->object].name, "wall");
+    EXPECT_NEAR((*located->obstacles)[1]->distance, 2.0, 1e-6);
+}
+
+TEST_F(StudiesTest, ADrawingIsWrittenOrRefusedWithItsKind) {
+    const auto drawn = [&](const std::string& output) {
+        return draw({.camera = "pinhole", .output = output});
+    };
+    EXPECT_TRUE(drawn(file("pinhole.svg")).empty());
+    EXPECT_GT(fs::file_size(file("pinhole.svg")), 1000U);
+    EXPECT_TRUE(drawn(file("pinhole.glb")).empty());
+    EXPECT_EQ(kind_of_errors(drawn(file("pinhole.txt"))), Kind::usage);
+    EXPECT_FALSE(fs::exists(file("pinhole.txt")));
+    EXPECT_EQ(kind_of_errors(draw({.camera = "no-such-camera", .output = file("x.svg")})),
+              Kind::input);
+}
+
+TEST_F(StudiesTest, NoCameraFileIsReplacedByItsDrawing) {
+    const std::string camera =
+        file("camera.svg", "camera a { map u = -1 .. 1, v = square eye sphere(1) look normal }\n");
+    EXPECT_EQ(kind_of_errors(draw({.camera = camera + ":a", .output = camera})), Kind::usage);
+    EXPECT_LT(fs::file_size(camera), 100U);
+}
+
+}  // namespace
+}  // namespace balcony::app::studies_test
