@@ -1,8 +1,8 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-// A picture of a scene through a built-in camera, where it shows a point, and a turn around the scene
-// in three frames.
+// A picture of a scene through a built-in camera, where it shows a point, and a turn around the
+// scene in three frames.
 
 #include <cstdio>
 
