@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view ending = ".partial";
+constexpr std::string_view partial_ending = ".partial";
 
 // Process ids are not unique: processes in two containers that share a folder may have the same
 // one.
@@ -41,7 +41,7 @@ int make_beside(const fs::path& file, fs::path& name) {
     constexpr mode_t what_the_user_allows = 0666;
     for (int attempt = 0; attempt < max_attempts; ++attempt) {
         name = file;
-        name += fmt::format(".{:016x}{}", random_number(), ending);
+        name += fmt::format(".{:016x}{}", random_number(), partial_ending);
         const int made =
             ::open(name.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, what_the_user_allows);
         if (made < 0 && errno != EEXIST) {
@@ -71,8 +71,8 @@ void remove_left(const fs::path& file) {
     const std::string beginning = file.filename().string() + ".";
     for (const std::string& name : names_in(file.parent_path())) {
         const fs::path left = file.parent_path() / name;
-        if (name.size() == beginning.size() + digits + ending.size() &&
-            name.starts_with(beginning) && name.ends_with(ending)) {
+        if (name.size() == beginning.size() + digits + partial_ending.size() &&
+            name.starts_with(beginning) && name.ends_with(partial_ending)) {
             if (const Result<WorkFile> own = WorkFile::reopen(left)) {
                 ::unlink(left.c_str());
             }
