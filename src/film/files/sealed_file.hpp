@@ -91,7 +91,7 @@ public:
     // The members of a heading, as SealedReader::read_fields() reads them.
     template <class... Fields>
     void write_fields(const std::tuple<Fields&...>& members) {
-        std::apply([this](const auto&... values) { (write_field(values), ...); }, members);
+        std::apply([this](const auto&... values) { (this->write_field(values), ...); }, members);
     }
     // The end of the heading.
     void seal() {
@@ -202,7 +202,8 @@ public:
     // False if the file is shorter.
     template <class... Fields>
     [[nodiscard]] bool read_fields(const std::tuple<Fields&...>& members) {
-        return std::apply([this](auto&... values) { return (read_field(values) && ...); }, members);
+        return std::apply([this](auto&... values) { return (this->read_field(values) && ...); },
+                          members);
     }
     // Whether what was read so far is what was written.
     [[nodiscard]] bool is_sealed() {
