@@ -120,7 +120,8 @@ Options<JobRequest> job_options() {
     made.rows.push_back(option({.name = "--shard",
                                 .placeholder = "PART/PARTS",
                                 .meaning = "render only one of several parts, such as 2/5, to "
-                                           "OUTPUT.shard-2-of-5; balcony merge joins them"},
+                                           "OUTPUT.shard-2-of-5; balcony merge joins them",
+                                .effect = Effect::run},
                                maybe(shard_value()), &JobRequest::shard));
     return made;
 }

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -31,15 +30,7 @@ bool contains(const std::array<std::string_view, count>& names, std::string_view
 }
 
 const std::vector<Row>& rows() {
-    static const std::vector<Row> all = [] {
-        Options<Request> made = scene_options();
-        made.rows.push_back(time_option(std::numeric_limits<double>::max(), &Request::settings,
-                                        &render::Settings::time));
-        made.add(&Request::shutter, shutter_options());
-        made.add(&Request::stereo, stereo_options());
-        made.add(picture_options());
-        return made.rows;
-    }();
+    static const std::vector<Row> all = request_options().rows;
     return all;
 }
 
