@@ -120,15 +120,13 @@ class Checkpoint(support.CommandTest):
         self.assertEqual(checkpoint.read_bytes(), kept)
 
     def test_what_the_sums_do_not_depend_on_may_differ(self):
-        checkpoint = self.interrupted(*SLOW, *OFTEN, "-o", "p.png")
-        kept = checkpoint.read_bytes()
-        for words in (("--no-dither",), ("--texture-memory", "64"), ("--fps", "30"),
-                      ("--exposure", "1"), ("--view-transform", "filmic"), ("--layers", "none"),
-                      ("--denoiser", "features"), ("--film-memory", "4GiB")):
-            with self.subTest(words=words):
-                checkpoint.write_bytes(kept)
-                resumed = self.picture(*SLOW, *words, "--resume", "-o", "p.png")
-                self.assertEqual(resumed, self.picture(*SLOW, *words, "-o", "whole.png"))
+        # Together: a refusal would name the one that matters.
+        words = ("--no-dither", "--texture-memory", "64", "--fps", "30", "--exposure", "1",
+                 "--view-transform", "filmic", "--layers", "none", "--denoiser", "features",
+                 "--film-memory", "4GiB")
+        self.interrupted(*SLOW, *OFTEN, "-o", "p.png")
+        resumed = self.picture(*SLOW, *words, "--resume", "-o", "p.png")
+        self.assertEqual(resumed, self.picture(*SLOW, *words, "-o", "whole.png"))
         for before, now in (("black", "white"), ("0.5", "transparent")):
             self.interrupted(*SLOW, *OFTEN, "--background", before, "-o", "p.png")
             self.assertEqual(self.picture(*SLOW, "--background", now, "--resume", "-o", "p.png"),

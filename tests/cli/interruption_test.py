@@ -63,8 +63,7 @@ class Interruption(support.CommandTest):
         (self.folder / "slow.obj").write_text(support.OBJ + "f 5 6 7\n" * 6_000_000)
         for which in (signal.SIGINT, signal.SIGTERM):
             process = self.start("render", "slow.obj", "-o", "p.png", *LONG[-2:])
-            time.sleep(1.0)
-            self.assertIsNone(process.poll(), "it ended early")
+            self.wait_for_work(process, 0.5)
             process.send_signal(which)
             seconds, out, err = self.end(process)
             self.assertEqual(process.returncode, 130)
