@@ -39,11 +39,8 @@ struct CameraArgument {
 [[nodiscard]] Result<CameraArgument> read_camera(const std::string& camera,
                                                  const std::vector<std::string>& set);
 
-/// Makes the selected camera, with values of its parameters, each NAME=VALUE.
-[[nodiscard]] Result<camera::Camera> load_camera(const std::string& camera,
-                                                 const std::vector<std::string>& set);
-
-/// Makes the selected picture; a camera becomes a picture with one layer.
+/// Makes the selected picture, with values of its parameters, each NAME=VALUE; a camera becomes a
+/// picture with one layer.
 [[nodiscard]] Result<camera::Picture> load_picture(const std::string& picture,
                                                    const std::vector<std::string>& set);
 [[nodiscard]] Result<camera::Picture> load_picture(const std::string& picture,

@@ -75,12 +75,6 @@ Result<CameraArgument> read_camera(const std::string& camera, const std::vector<
     return wanted;
 }
 
-Result<camera::Camera> load_camera(const std::string& camera, const std::vector<std::string>& set) {
-    const Result<CameraArgument> wanted = read_camera(camera, set);
-    return wanted ? lang::make_camera(wanted->file, wanted->name, wanted->overrides)
-                  : Result<camera::Camera>(wanted.diagnostics);
-}
-
 Result<camera::Picture> load_picture(const std::string& picture,
                                      const std::vector<std::string>& set) {
     lang::Workspace workspace;
