@@ -88,7 +88,36 @@ class Checkpoint(support.CommandTest):
         self.assertEqual(self.picture(*SLOW, "--resume", "-o", "p.png"),
                          self.picture(*SLOW, "-o", "whole.png"))
 
-    def test_a_short_render_has_none(self):
+    def test_one_that_is_stopped_early_has_a_checkpoint_too(self):
+        process = self.start(*SLOW[:-1], "--save-every", "0.05s", "-o", "p.png")
+        self.wait_for(process, "p.png")
+        process.terminate()
+        out, _ = process.communicate()
+        self.assertEqual(process.returncode, 130)
+        self.assertIn("--resume continues from p.png.checkpoint", out.decode())
+        facts = self.json_of(*SLOW, "--resume", "-o", "p.png")
+        self.assertLess(facts["rays"], PASSES * 200 * 150)
+        self.assertEqual(facts["passes"], PASSES)
+        self.assertNotIn("p.png.checkpoint", self.files())
+
+    def test_without_intervals_there_is_none(self):
+        process = self.start(*SLOW, "--checkpoint-every", "off", "--save-every", "0.05s", "-o",
+                             "p.png")
+        self.wait_for(process, "p.png")
+        process.terminate()
+        process.communicate()
+        self.assertEqual(process.returncode, 130)
+        self.assertNotIn("p.png.checkpoint", self.files())
+
+    def test_a_picture_that_is_begun_anew_is_told_of(self):
+        short = ("render", "scene.obj", "--size", "20", "-o", "p.png")
+        _, err = self.run_command(*short, "--resume")
+        self.assertEqual(err, "")
+        _, err = self.run_command(*short, "--resume")
+        self.assertIn("there is no 'p.png.checkpoint', so the render begins anew and replaces "
+                      "'p.png'", err)
+
+    def test_a_killed_short_render_has_none(self):
         self.killed(*SLOW, "-o", "p.png", seconds=0.3)
         self.assertNotIn("p.png.checkpoint", self.files())
         self.run_command(*SLOW, "--resume", "-o", "p.png")
@@ -98,6 +127,7 @@ class Checkpoint(support.CommandTest):
         _, err = self.run_command("render", "scene.obj", "--size", "20", "-o", "p.png")
         self.assertIn("'p.png.checkpoint' is left from an interrupted render", err)
         self.assertIn("--resume", err)
+        self.assertNotIn("p.png.checkpoint", self.files())
 
     def test_another_render_is_refused(self):
         checkpoint = self.interrupted(*SLOW, *OFTEN, "-o", "p.png")

@@ -47,7 +47,7 @@ public:
         if (request_.job.resume && checkpoint_.exists()) {
             return resume();
         }
-        tell(observer_, checkpoint_.replaced());
+        tell(observer_, checkpoint_.begins_anew(request_.job.resume));
         return take(render::TiledFile::create(request_.output, bands_.film(), window_));
     }
 

@@ -17,7 +17,8 @@ namespace fs = std::filesystem;
 
 CheckpointFile::CheckpointFile(const fs::path& picture, render::FilmFacts options,
                                std::vector<fs::path> inputs, FileWatch::Time since)
-    : file_(picture),
+    : picture_(picture),
+      file_(picture),
       facts_(std::move(options)),
       inputs_(std::move(inputs)),
       watch_(inputs_, since) {
@@ -71,12 +72,17 @@ Diagnostics as_warnings(Diagnostics failures) {
     return failures;
 }
 
-Diagnostics CheckpointFile::replaced() const {
-    return exists()
-               ? Diagnostics{warning(
-                     fmt::format("'{}' is left from an interrupted render and will be replaced",
-                                 file_.string()),
-                     {}, "add --resume to continue that render")}
+Diagnostics CheckpointFile::begins_anew(bool wanted) const {
+    if (exists()) {
+        return {warning(fmt::format("'{}' is left from an interrupted render and will be replaced",
+                                    file_.string()),
+                        {}, "add --resume to continue that render")};
+    }
+    std::error_code failed;
+    return wanted && fs::exists(picture_, failed)
+               ? Diagnostics{warning(fmt::format("there is no '{}', so the render begins anew and "
+                                                 "replaces '{}'",
+                                                 file_.string(), picture_.string()))}
                : Diagnostics{};
 }
 

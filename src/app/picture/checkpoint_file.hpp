@@ -31,8 +31,9 @@ public:
     [[nodiscard]] Diagnostics save(const render::Film& film,
                                    const std::vector<std::uint64_t>& finished = {});
     void remove() const;
-    /// The warning that a checkpoint is there and not continued; empty if there is none.
-    [[nodiscard]] Diagnostics replaced() const;
+    /// The warning of a render that begins anew, although there is a checkpoint, or although one is
+    /// wanted and a picture is there.
+    [[nodiscard]] Diagnostics begins_anew(bool wanted) const;
     /// "restore it and continue with --resume from 'picture.png.checkpoint'"
     [[nodiscard]] std::string remedy(std::string_view first) const;
 
@@ -43,6 +44,7 @@ public:
     [[nodiscard]] const render::FilmFacts& facts();
 
 private:
+    std::filesystem::path picture_;
     std::filesystem::path file_;
     render::FilmFacts facts_;
     std::vector<std::filesystem::path> inputs_;

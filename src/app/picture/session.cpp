@@ -73,28 +73,31 @@ private:
     [[nodiscard]] bool has_file() const {
         return !request_.output.empty() && request_.output != "-";
     }
+    [[nodiscard]] bool has_checkpoints() const {
+        return has_file() && request_.job.checkpoint_every;
+    }
 
     [[nodiscard]] Diagnostics resume() {
         if (!has_file()) {
             return {};
         }
-        if (request_.job.resume) {
-            return checkpoint_.exists() ? checkpoint_.load(film_) : Diagnostics{};
+        if (request_.job.resume && checkpoint_.exists()) {
+            return checkpoint_.load(film_);
         }
-        if (request_.job.checkpoint_every) {
-            tell(observer_, checkpoint_.replaced());
+        if (request_.job.resume || request_.job.checkpoint_every) {
+            tell(observer_, checkpoint_.begins_anew(request_.job.resume));
         }
         return {};
     }
 
     [[nodiscard]] TraceLimits limits() {
         TraceLimits made{.seconds = request_.job.time_limit,
-                         .save_checkpoint = [this] { tell(observer_, checkpoint_.save(film_)); },
-                         .begins_checkpoint_at_stop = false,
+                         .save_checkpoint = [this] { save_checkpoint(); },
+                         .begins_checkpoint_at_stop = has_checkpoints(),
                          .shard = request_.job.shard,
                          .samples = loaded_.settings.samples,
                          .remedy = checkpoint_.remedy("restore it")};
-        if (has_file()) {
+        if (has_checkpoints()) {
             made.checkpoint_every = request_.job.checkpoint_every;
         }
         if (has_file() && request_.job.save_every) {
@@ -102,6 +105,12 @@ private:
                                    [this] { tell(observer_, write(finish_, film_, observer_)); }});
         }
         return made;
+    }
+
+    void save_checkpoint() {
+        if (has_samples(film_)) {
+            tell(observer_, checkpoint_.save(film_));
+        }
     }
 
     // An interrupted shard is none.
@@ -117,10 +126,10 @@ private:
             return;
         }
         report_.output = is_nothing ? fs::path() : file_;
-        if (checkpoint_.is_used() && report_.interrupted) {
-            report_.checkpoint = checkpoint_.file();
-        } else if (checkpoint_.is_used()) {
+        if (!report_.interrupted && (checkpoint_.is_used() || has_checkpoints())) {
             checkpoint_.remove();
+        } else if (checkpoint_.is_used()) {
+            report_.checkpoint = checkpoint_.file();
         }
     }
 
