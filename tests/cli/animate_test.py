@@ -370,8 +370,11 @@ class Shards(AnimationTest):
                 frame.write_bytes(whole[:size])
                 self.refused("merge", f"f.#.{ending}", code=1,
                              says=f"frame 2: 'f.2.{ending}' is damaged: ", helps="remove it")
-            frame.unlink()
-            self.assertEqual(self.json_of(*self.words(*more))["rendered"], 1)
+                document = self.json_of(*self.words(*more))
+                self.assertEqual(document["rendered"], 1)
+                self.assertIn(f"frame 2: 'f.2.{ending}' is damaged and is rendered again: ",
+                              document["diagnostics"][0]["message"])
+                self.assertEqual(len(frame.read_bytes()), len(whole))
             self.run_command("merge", f"f.#.{ending}")
 
     def test_parts_of_other_settings(self):

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "app/animation/frame_file.hpp"
 #include "app/animation/held_look.hpp"
 #include "app/picture/checkpoint_file.hpp"
 #include "app/picture/findings.hpp"
@@ -75,9 +76,15 @@ fs::path FrameLoop::file_of(const FrameUnit& unit) const {
     return unit.part.count > 1 ? shard_file(frame, unit.part) : frame;
 }
 
-bool FrameLoop::is_finished(const FrameUnit& unit) const {
-    return record_.is_finished(animation_.pattern.file(unit.frame)) ||
-           record_.is_finished(file_of(unit));
+bool FrameLoop::is_finished(const FrameUnit& unit) {
+    const fs::path frame = animation_.pattern.file(unit.frame);
+    const bool is_there = record_.is_finished(frame);
+    const auto reason = is_there ? why_damaged(frame, FramePart::end) : std::nullopt;
+    if (reason) {
+        add_once({warning(fmt::format("frame {}: '{}' is damaged and is rendered again: {}",
+                                      unit.frame, frame.string(), reason->message))});
+    }
+    return (is_there && !reason) || (unit.part.count > 1 && record_.is_finished(file_of(unit)));
 }
 
 bool FrameLoop::is_displayed() const {

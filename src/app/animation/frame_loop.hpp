@@ -45,7 +45,7 @@ private:
     [[nodiscard]] bool fails(const Diagnostics& found);
     [[nodiscard]] bool begin_frames(const FrameNumbers& frames);
     [[nodiscard]] std::filesystem::path file_of(const FrameUnit& unit) const;
-    [[nodiscard]] bool is_finished(const FrameUnit& unit) const;
+    [[nodiscard]] bool is_finished(const FrameUnit& unit);
     [[nodiscard]] bool is_displayed() const;
     [[nodiscard]] bool go_to(std::size_t frame, const std::stop_token& stop);
     [[nodiscard]] bool render(const FrameUnit& unit, const std::stop_token& stop);

@@ -4,11 +4,9 @@
 #include "balcony/animation.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <iterator>
 #include <map>
 #include <optional>
-#include <span>
 #include <system_error>
 #include <vector>
 
@@ -16,10 +14,10 @@
 
 #include "app/animation/animation_film.hpp"
 #include "app/animation/film_file.hpp"
+#include "app/animation/frame_file.hpp"
 #include "app/animation/frame_record.hpp"
 #include "app/picture/paused_run.hpp"
 #include "app/words.hpp"
-#include "balcony/images.hpp"
 #include "balcony/input_file.hpp"
 #include "balcony/output_file.hpp"
 
@@ -51,39 +49,14 @@ std::map<std::size_t, std::vector<fs::path>> parts_of_frames(const FramePattern&
     return parts;
 }
 
-// Decoders take what there is of a JPEG file, whose end is marked.
-bool is_cut_off(const fs::path& file) {
-    const render::DisplayFormat* const format = render::display_format(file);
-    std::ifstream stream(file, std::ios::binary);
-    std::string end(2, '\0');
-    stream.seekg(-2, std::ios::end);
-    stream.read(end.data(), 2);
-    return format != nullptr && format->encoder == "jpeg" && end != "\xff\xd9";
-}
-
-// Whether the file of a frame can be read to its end.
+// What is wrong with the file of a frame.
 Diagnostics check_whole(std::size_t frame, const fs::path& file) {
-    const auto refused = [&](const Diagnostic& reason) {
-        return Diagnostics{error(
-            Kind::input,
-            fmt::format("frame {}: '{}' is damaged: {}", frame, file.string(), reason.message),
-            fmt::format("remove it and {}", same_command))};
-    };
-    const auto opened = images::ImageFile::open(file, images::ImageChannels::all);
-    if (!opened) {
-        return refused(opened.diagnostics.front());
-    }
-    images::ImageFile& image = **opened.value;
-    constexpr std::size_t rows_at_once = 64;
-    std::vector<float> values(rows_at_once * image.width() * image.channels());
-    for (std::size_t row = 0; row < image.height(); row += rows_at_once) {
-        const std::size_t end = std::min(row + rows_at_once, image.height());
-        const std::size_t count = (end - row) * image.width() * image.channels();
-        if (const auto reason = image.read_rows(row, end, std::span(values).first(count))) {
-            return refused(*reason);
-        }
-    }
-    return is_cut_off(file) ? refused(error("it is truncated")) : Diagnostics{};
+    const auto reason = why_damaged(file, FramePart::all);
+    return reason ? Diagnostics{error(Kind::input,
+                                      fmt::format("frame {}: '{}' is damaged: {}", frame,
+                                                  file.string(), reason->message),
+                                      fmt::format("remove it and {}", same_command))}
+                  : Diagnostics{};
 }
 
 // Merges what is in parts; gives the frames that are still missing.
