@@ -14,8 +14,8 @@ namespace balcony {
 class WorkFile {
 public:
     /// Opens an empty file. A file that is there is removed and not written to, since it may have
-    /// other names. Fails with Kind::environment, and with Kind::usage if the file is no regular
-    /// file or if another process has it open.
+    /// other names. Fails with Kind::environment, and with Kind::usage if another process has it
+    /// open.
     [[nodiscard]] static Result<WorkFile> create(const std::filesystem::path& file);
     /// Opens a file with its contents; fails as create() does, and if there is none.
     [[nodiscard]] static Result<WorkFile> reopen(const std::filesystem::path& file);
@@ -32,5 +32,8 @@ private:
 
     int descriptor_ = -1;
 };
+
+/// The error that something stands where a file would be written, and is no regular file.
+[[nodiscard]] Diagnostic not_regular(const std::filesystem::path& file);
 
 }  // namespace balcony

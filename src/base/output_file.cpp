@@ -85,12 +85,6 @@ Diagnostic cannot_write(const fs::path& file, int number) {
     return error(Kind::environment, fmt::format("'{}' cannot be written{}", file.string(), reason));
 }
 
-Diagnostic not_a_file(const fs::path& file) {
-    return error(Kind::environment,
-                 fmt::format("'{}' exists and is not a regular file", file.string()),
-                 "choose another file name");
-}
-
 }  // namespace
 
 // Follows links, so that the target is replaced and not the link.
@@ -114,7 +108,7 @@ Diagnostics move_into_place(const fs::path& complete, const fs::path& file) {
     if (fs::exists(before)) {
         // Moving a file there would replace the device or the pipe itself.
         if (!fs::is_regular_file(before)) {
-            return {not_a_file(file)};
+            return {not_regular(file)};
         }
         if (::access(file.c_str(), W_OK) != 0) {
             return {cannot_write(file, errno)};
@@ -136,7 +130,7 @@ Diagnostics OutputFile::check(const fs::path& file) {
             "create the folder first, or choose another one")};
     }
     if (fs::exists(real, failed) && !fs::is_regular_file(real, failed)) {
-        return {not_a_file(file)};
+        return {not_regular(file)};
     }
     if (::access(folder.c_str(), W_OK) != 0) {
         return {error(Kind::environment,

@@ -28,17 +28,18 @@ Diagnostic cannot_open(const fs::path& file, int reason) {
                                                 std::generic_category().message(reason)));
 }
 
-Diagnostic not_regular(const fs::path& file) {
-    return error(Kind::usage, fmt::format("'{}' exists and is not a regular file", file.string()),
-                 "remove it, or choose another name for the output");
-}
-
 // A file system that has no locks is no reason to fail.
 bool is_locked_elsewhere(int descriptor) {
     return ::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
 }
 
 }  // namespace
+
+Diagnostic not_regular(const fs::path& file) {
+    return error(Kind::environment,
+                 fmt::format("'{}' exists and is not a regular file", file.string()),
+                 "remove it, or choose another name for the output");
+}
 
 Result<WorkFile> WorkFile::create(const fs::path& file) {
     const bool exists = fs::exists(fs::symlink_status(file));

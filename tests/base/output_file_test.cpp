@@ -174,6 +174,7 @@ TEST(WriteWhole, DoesNotReplaceDevicesOrPipes) {
     const Diagnostics said = write_whole(pipe, "x");
     ASSERT_EQ(said.size(), 1U);
     EXPECT_NE(said[0].message.find("is not a regular file"), std::string::npos);
+    EXPECT_EQ(said[0].kind, Kind::environment);
     EXPECT_TRUE(fs::is_fifo(pipe));
     fs::remove(pipe);
 }

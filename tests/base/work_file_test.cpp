@@ -37,8 +37,9 @@ bool put(const WorkFile& file, const std::string& text) {
            static_cast<ssize_t>(text.size());
 }
 
-bool refused(const Result<WorkFile>& opened, const std::string& message) {
-    return !opened && opened.diagnostics.front().kind == Kind::usage &&
+bool refused(const Result<WorkFile>& opened, const std::string& message,
+             Kind kind = Kind::environment) {
+    return !opened && opened.diagnostics.front().kind == kind &&
            opened.diagnostics.front().message.find(message) != std::string::npos;
 }
 
@@ -94,8 +95,8 @@ TEST(WorkFileTest, IsOpenOnce) {
     {
         const auto first = WorkFile::create(file);
         ASSERT_TRUE(first);
-        EXPECT_TRUE(refused(WorkFile::create(file), "another process is writing"));
-        EXPECT_TRUE(refused(WorkFile::reopen(file), "another process is writing"));
+        EXPECT_TRUE(refused(WorkFile::create(file), "another process is writing", Kind::usage));
+        EXPECT_TRUE(refused(WorkFile::reopen(file), "another process is writing", Kind::usage));
     }
     EXPECT_TRUE(WorkFile::create(file));
 }
