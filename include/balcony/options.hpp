@@ -5,6 +5,7 @@
 // Options as rows: what an option is called, what its value means, and where the value goes. Every
 // front end reads, writes and describes options by these rows alone.
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <iterator>
@@ -74,6 +75,10 @@ struct OptionInfo {
     std::vector<OptionChoice> choices{};
 };
 
+/// The error of a value that an option cannot have.
+[[nodiscard]] Diagnostic refused(std::string_view option, std::string_view word,
+                                 std::string remedy);
+
 /// The words that were given for options, by name, in the order of the rows.
 using GivenWords = std::map<std::string, std::vector<std::string>, std::less<>>;
 
@@ -120,10 +125,17 @@ struct Options {
         return *this;
     }
 
-    /// Reads the words that were given. A target that an error is said of is of no use.
+    /// Reads the words that were given. A target that an error is said of is of no use. No value
+    /// is an empty word.
     void read(const GivenWords& given, Target& target, Diagnostics& found) const {
         for (const Option<Target>& row : rows) {
-            if (const auto words = given.find(row.name); words != given.end()) {
+            const auto words = given.find(row.name);
+            if (words == given.end()) {
+                continue;
+            }
+            if (std::find(words->second.begin(), words->second.end(), "") != words->second.end()) {
+                found.push_back(refused(row.name, "", "give it a value, or leave it out"));
+            } else {
                 row.read(words->second, target, found);
             }
         }
@@ -144,10 +156,6 @@ struct Value {
     /// How to correct a word that cannot be read.
     std::function<std::string(std::string_view)> remedy{};
 };
-
-/// The error of a value that an option cannot have.
-[[nodiscard]] Diagnostic refused(std::string_view option, std::string_view word,
-                                 std::string remedy);
 
 /// The whole word as a finite number: a double, a float or a std::size_t. It may have a sign.
 template <class Number>
@@ -199,7 +207,7 @@ template <class T>
         [names](T value) { return std::string(names[value].name); });
 }
 
-/// A value, or a word that stands for none, such as auto.
+/// A value, or a word that stands for none, such as auto. If that is empty, there is no such word.
 template <class T>
 [[nodiscard]] Value<std::optional<T>> or_word(std::string none, Value<T> value) {
     if (!none.empty()) {
@@ -208,7 +216,7 @@ template <class T>
     return {std::move(value.info),
             [none, read = std::move(value.read)](std::string_view word) {
                 using Maybe = std::optional<T>;
-                if (word == none) {
+                if (word == none && !none.empty()) {
                     return std::optional<Maybe>(std::in_place);
                 }
                 std::optional<T> made = read(word);

@@ -136,6 +136,26 @@ TEST(OptionRow, RefusesAWordByTheNameOfItsOption) {
     expect_rows_refuse_a_word(animation_options());
 }
 
+template <class Target>
+void expect_rows_refuse_an_empty_word(const Options<Target>& options) {
+    for (const Option<Target>& row : options.rows) {
+        if (row.type == OptionType::flag) {
+            continue;
+        }
+        Target target;
+        Diagnostics found;
+        Options<Target>{{row}}.read({{row.name, {""}}}, target, found);
+        ASSERT_EQ(found.size(), 1U) << row.name;
+        EXPECT_EQ(found.front().message, row.name + " cannot be ''");
+        EXPECT_EQ(found.front().kind, Kind::usage) << row.name;
+    }
+}
+
+TEST(OptionRow, RefusesAnEmptyWord) {
+    expect_rows_refuse_an_empty_word(request_options());
+    expect_rows_refuse_an_empty_word(animation_options());
+}
+
 TEST(OptionRow, HasTheDefaultOfItsTarget) {
     std::map<std::string, std::string> defaults;
     for (const Option<Request>& row : request_options().rows) {

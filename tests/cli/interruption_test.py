@@ -145,7 +145,7 @@ class Interruption(support.CommandTest):
             pass
         os.close(screen)
         self.assertEqual(process.wait(timeout=60), 130)
-        self.assertRegex(seen.decode(), r"\r\x1b\[Kinterrupted; [^\r\n]*\r\n  lit by [^\r\n]*\r\n$")
+        self.assertRegex(seen.decode(), r"\r\x1b\[Kinterrupted; [^\r\n]*\r\n  lit by [^\r\n]*\r\n  --resume [^\r\n]*\r\n$")
 
 
 if __name__ == "__main__":

@@ -146,7 +146,7 @@ class Info(support.CommandTest):
     def test_mistakes(self):
         self.refused("info", "none.obj", code=1, says="'none.obj'")
         self.refused("info", ".", code=1, says="'.' is a folder")
-        self.refused("info", "", code=1, says="''")
+        self.refused("info", "", code=2, says="''")
 
 
 if __name__ == "__main__":

@@ -196,7 +196,7 @@ class Options(support.CommandTest):
     def test_scenes_that_are_not_there(self):
         self.refused("render", "none.obj", code=1, says="'none.obj'")
         self.refused("render", ".", code=1, says="'.' is a folder")
-        self.refused("render", "", code=1, says="''")
+        self.refused("render", "", code=2, says="''")
 
     def test_a_wrong_camera_does_not_wait_for_the_scene(self):
         err = self.refused("render", "none.obj", "-c", "panoroma", code=1, says="'panoroma'")

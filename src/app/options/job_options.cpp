@@ -26,13 +26,7 @@ Value<double> interval() {
     return made;
 }
 
-Value<std::optional<double>> interval_or_off() {
-    Value<std::optional<double>> made = or_word("off", interval());
-    made.read = [read = made.read](std::string_view word) {
-        return word.empty() ? read("off") : read(word);
-    };
-    return made;
-}
+Value<std::optional<double>> interval_or_off() { return or_word("off", interval()); }
 
 // Without a default to show.
 Value<std::optional<double>> optional_interval() {
