@@ -22,6 +22,20 @@ void Import::warn(std::string message, std::string remedy) {
     }
 }
 
+void Import::count_fault(const std::string& mesh, std::string_view noun, std::size_t count,
+                         std::string_view what) {
+    if (count == 0) {
+        return;
+    }
+    auto fault = std::find_if(mesh_faults.begin(), mesh_faults.end(),
+                              [what](const MeshFault& known) { return known.what == what; });
+    if (fault == mesh_faults.end()) {
+        fault = mesh_faults.insert(fault, {noun, what, 0, 0, mesh});
+    }
+    fault->count += count;
+    ++fault->meshes;
+}
+
 bool Import::has_texture(const fs::path& texture, const std::string& user) {
     const std::optional<Diagnostic> fault = not_a_file(texture, in_quotes(texture.string()));
     if (fault) {

@@ -91,15 +91,10 @@ void drop_bad_triangles(Mesh& mesh, Import& import) {
         import.triangles_without_area += is_flat ? 1 : 0;
         return is_flat;
     });
-    if (out_of_range > 0) {
-        import.warn(fmt::format("mesh {}: {} skipped because of a vertex index out of range",
-                                in_quotes(mesh.name), counted(out_of_range, "triangle")));
-    }
-    if (not_usable > 0) {
-        import.warn(
-            fmt::format("mesh {}: {} skipped because of a vertex that is not finite or too large",
-                        in_quotes(mesh.name), counted(not_usable, "triangle")));
-    }
+    import.count_fault(mesh.name, "triangle", out_of_range,
+                       "skipped because of a vertex index out of range");
+    import.count_fault(mesh.name, "triangle", not_usable,
+                       "skipped because of a vertex that is not finite or too large");
 }
 
 void keep_used_vertices(Mesh& mesh, std::vector<std::uint32_t>* vertices) {
@@ -141,10 +136,8 @@ void clean_texture_coordinates(Mesh& mesh, Import& import) {
             }
         }
     }
-    if (bad > 0) {
-        import.warn(fmt::format("mesh {}: {} replaced by (0, 0) because not finite",
-                                in_quotes(mesh.name), counted(bad, "texture coordinate")));
-    }
+    import.count_fault(mesh.name, "texture coordinate", bad,
+                       "replaced by (0, 0) because not finite");
 }
 
 void clean_colors(Mesh& mesh) {
@@ -203,8 +196,8 @@ void normalize_normals(Mesh& mesh, Import& import) {
             mesh.normals[i] = normal == V3f(0.0F) ? any_normal : normal;
         }
     }
-    import.warn(fmt::format("mesh {}: {} of length 0 replaced by the normal of the faces",
-                            in_quotes(mesh.name), counted(without_length, "normal")));
+    import.count_fault(mesh.name, "normal", without_length,
+                       "of length 0 replaced by the normal of the faces");
 }
 
 }  // namespace

@@ -28,6 +28,15 @@ struct ReadError {
 /// Thrown inside this layer when a stop is requested; load() returns it as an error.
 struct Stopped {};
 
+/// What was repaired or left out in several meshes, such as the triangles of an invalid index.
+struct MeshFault {
+    std::string_view noun;  ///< "triangle"
+    std::string_view what;  ///< "skipped because ..."
+    std::size_t count = 0;
+    std::size_t meshes = 0;
+    std::string first_mesh;
+};
+
 /// A scene under construction, with its diagnostics.
 struct Import {
     std::filesystem::path file;
@@ -40,11 +49,15 @@ struct Import {
     std::size_t further_warnings = 0;
     std::size_t triangles_without_area = 0;  ///< Skipped.
     std::size_t coincident_triangles = 0;    ///< Skipped.
+    std::vector<MeshFault> mesh_faults;      ///< One for each `what`.
 
     static constexpr std::size_t max_warnings = 50;
 
     /// Adds a warning, or only counts it if there are too many.
     void warn(std::string message, std::string remedy = {});
+    /// Counts what is wrong with a mesh. The whole file gets one warning for each `what`.
+    void count_fault(const std::string& mesh, std::string_view noun, std::size_t count,
+                     std::string_view what);
     /// Whether a texture is a file; otherwise warns that its user, such as "material 'm'", has
     /// none.
     [[nodiscard]] bool has_texture(const std::filesystem::path& texture, const std::string& user);

@@ -65,6 +65,30 @@ bool lights_itself(const Scene& scene) {
                        });
 }
 
+// What is wrong with meshes, once for the whole file.
+void warn_of_meshes(Import& import) {
+    for (const MeshFault& fault : import.mesh_faults) {
+        const std::string others =
+            fault.meshes > 1 ? " and " + counted(fault.meshes - 1, "other") : "";
+        import.warn(fmt::format("mesh {}{}: {} {}", in_quotes(fault.first_mesh), others,
+                                counted(fault.count, fault.noun), fault.what));
+    }
+    const std::string file = in_quotes(import.file.filename().string());
+    if (import.triangles_without_area > 0) {
+        import.warn(fmt::format("{}: {} without area skipped", file,
+                                counted(import.triangles_without_area, "triangle")));
+    }
+    const auto coincident = [&](std::size_t count, std::string_view noun) {
+        if (count > 0) {
+            import.warn(fmt::format("{}: {} skipped, each in the same place as {} others", file,
+                                    counted(count, noun), max_coincident),
+                        "remove the copies from the scene");
+        }
+    };
+    coincident(import.coincident_triangles, "triangle");
+    coincident(drop_coincident_instances(import.scene), "instance");
+}
+
 void read(Import& import) {
     const fs::path& file = import.file;
     if (!import.given) {
@@ -75,19 +99,7 @@ void read(Import& import) {
     std::vector<fs::path>& files = import.scene.files;
     std::sort(files.begin(), files.end());
     files.erase(std::unique(files.begin(), files.end()), files.end());
-    if (import.triangles_without_area > 0) {
-        import.warn(fmt::format("{} without area skipped",
-                                counted(import.triangles_without_area, "triangle")));
-    }
-    const auto coincident = [&](std::size_t count, std::string_view noun) {
-        if (count > 0) {
-            import.warn(fmt::format("{} skipped, each in the same place as {} others",
-                                    counted(count, noun), max_coincident),
-                        "remove the copies from the scene");
-        }
-    };
-    coincident(import.coincident_triangles, "triangle");
-    coincident(drop_coincident_instances(import.scene), "instance");
+    warn_of_meshes(import);
     if (import.further_warnings > 0) {
         import.diagnostics.push_back(warning(
             fmt::format("{} more like these", counted(import.further_warnings, "warning"))));

@@ -79,6 +79,12 @@ class Check(support.CommandTest):
         self.assertIn("help: ", folded)
         self.assertNotIn("no defects", folded)
 
+    def test_quiet_leaves_the_mistakes(self):
+        self.assertEqual(self.run_command("check", "two.cam", "-q"), ("", ""))
+        out, err = self.run_command("check", "two.cam", "-q", "--strict", code=1)
+        self.assertEqual(out, "")
+        self.assertIn("camera 'folded' has 2 defects, but --strict allows none", err)
+
     def test_one_camera_with_parameters(self):
         (report,) = self.reports("two.cam:front")
         self.assertEqual((report["camera"], report["width"], report["defects"]), ("front", 160, 0))

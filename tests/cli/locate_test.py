@@ -33,6 +33,11 @@ class Locate(support.CommandTest):
         self.assertAlmostEqual(seen["y"], 125)
         self.assertAlmostEqual(seen["distance"], math.sqrt(17.25))
 
+    def test_quiet_leaves_the_mistakes(self):
+        words = ("locate", "panorama", "-q", "--point")
+        self.assertEqual(self.run_command(*words, "1,2,3"), ("", ""))
+        self.refused(*words, "1,2", code=2, says="'1,2'")
+
     def test_several_places_and_none(self):
         several, none = self.located("fold.cam", "--size", "300x200", "--point", "5,0,0",
                                      "--point", "-5,0,0")

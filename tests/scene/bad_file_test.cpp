@@ -256,7 +256,24 @@ TEST_F(BadFiles, TrianglesWithoutAreaAreCounted) {
         load_obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 0 0\nv 0 0 0\nf 1 2 3\nf 1 2 4\nf 1 5 3\n");
     ASSERT_TRUE(scene) << said(scene);
     EXPECT_EQ(scene->triangle_count(), 1U);
-    EXPECT_TRUE(says(scene, "2 triangles without area skipped"));
+    EXPECT_TRUE(says(scene, ".obj': 2 triangles without area skipped"));
+}
+
+// A file of a thousand meshes has one warning, not a thousand.
+TEST_F(BadFiles, WhatIsWrongWithManyMeshesIsOneWarning) {
+    Gltf gltf = one_triangle();
+    gltf.primitive(0)["attributes"] = {
+        {"POSITION", gltf.add_floats({0, 0, 0, 3, 0, 4, 0, 1, 0}, 3)},
+        {"NORMAL", gltf.add_floats({0, 0, 0, 0, 0, 7, 0, 0, 0}, 3)}};
+    for (const char* name : {"second", "third"}) {
+        gltf.json["meshes"].push_back(gltf.json["meshes"][0]);
+        gltf.json["meshes"].back()["name"] = name;
+        gltf.add_node({{"mesh", gltf.json["meshes"].size() - 1}});
+    }
+    const auto scene = load_glb(gltf);
+    ASSERT_TRUE(scene) << said(scene);
+    EXPECT_TRUE(says(scene, "mesh 'mesh' and 2 others: 6 normals of length 0 replaced"));
+    EXPECT_EQ(scene.diagnostics.size(), 1U) << said(scene);
 }
 
 // However small a triangle is, it is one.

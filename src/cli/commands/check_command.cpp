@@ -103,14 +103,15 @@ ExitCode check_command(const CheckOptions& options) {
             report(found);
         }
     };
+    const bool prints = !options.manner.json && !options.manner.quiet;
     app::CheckObserver observer{.tell = tell};
     observer.file = [&](const app::FileCheck& file) {
-        if (file.good && !options.manner.json) {
+        if (file.good && prints) {
             print_result(text_of(file));
         }
     };
     observer.camera = [&](const CameraCheck& check) {
-        if (!options.manner.json) {
+        if (prints) {
             print_result(check_text(check));
         }
         if (options.strict) {
@@ -171,8 +172,8 @@ void add_check_command(CLI::App& app, ExitCode& code) {
         all.add({{flag({.name = "--strict",
                         .meaning = "exit with code 1 if a camera has a defect: a fold, a seam, a "
                                    "region without rays, ..."},
-                       true, &CheckOptions::strict),
-                  json_flag(&CheckOptions::manner, "print the report as JSON")}});
+                       true, &CheckOptions::strict)}});
+        all.add(manner_options(&CheckOptions::manner, "print the report as JSON"));
         command.add(std::move(all), options);
         command.footer(
             "Examples:\n"

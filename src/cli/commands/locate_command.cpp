@@ -236,7 +236,7 @@ void add_locate_command(CLI::App& app, ExitCode& code) {
                           "axes of the points: y_up, as in most scenes, or z_up (default: those of "
                           "the scene or, without a scene, of the camera)")}});
         all.add(&LocateOptions::request, std::move(request));
-        all.rows.push_back(json_flag(&LocateOptions::manner, "print the positions as JSON"));
+        all.add(manner_options(&LocateOptions::manner, "print the positions as JSON"));
         all.checks.emplace_back(check_points);
         command.add(std::move(all), options);
         command.footer(
