@@ -76,9 +76,9 @@ struct Measured {
 
 Measured measure(const render::Renderer& renderer, const BareEmbree& world,
                  const camera::Camera& camera, Axes axes, std::string_view integrator) {
-    const auto rays =
-        checked(rays::compile(camera, static_cast<double>(frame_width),
-                              static_cast<double>(frame_height), rays::Request{.axes = axes}));
+    const auto rays = checked(rays::compile(camera, static_cast<double>(frame_width),
+                                            static_cast<double>(frame_height),
+                                            rays::CompileOptions{.axes = axes}));
     const auto tiles = tiles_of_picture(frame_width, frame_height, render::tile_height);
     static_assert(render::tile_width == program::max_tile_width);
     render::Settings settings;

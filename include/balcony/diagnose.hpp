@@ -110,7 +110,7 @@ struct Sample {
     double origin_distance = 0.0;  ///< Distance of the origin from the centre of all origins.
 };
 
-struct Report {
+struct CameraReport {
     std::string camera;
     SampleGrid grid;
     std::vector<Sample> samples;    ///< Row by row.
@@ -127,9 +127,10 @@ struct Report {
 };
 
 /// An error of Kind::interrupted if it is stopped.
-[[nodiscard]] Result<Report> diagnose(const camera::Camera& camera,
-                                      const DiagnoseSettings& settings,
-                                      const PartDone& progress = {}, std::stop_token stop = {});
+[[nodiscard]] Result<CameraReport> diagnose(const camera::Camera& camera,
+                                            const DiagnoseSettings& settings,
+                                            const PartDone& progress = {},
+                                            std::stop_token stop = {});
 
 // --------------------------------------------------------------------------------------- maps
 
@@ -147,6 +148,6 @@ enum class MapKind : std::uint8_t {
 [[nodiscard]] Names<MapKind> map_kinds();
 
 /// The samples of a report as a false-colour picture, with a legend below it.
-[[nodiscard]] Image false_color(const Report& report, MapKind kind);
+[[nodiscard]] Image false_color(const CameraReport& report, MapKind kind);
 
 }  // namespace balcony::analyse

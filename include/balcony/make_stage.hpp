@@ -18,17 +18,13 @@ namespace balcony::camera {
 
 // -------------------------------------------------------------------------------- values
 
-/// What a number counts; `either` where its user decides, as for parameters of a formula.
-enum class Dimension : std::uint8_t { number, angle, either };
-
 /// A number with its unit, constant or a formula in time. 0 has every unit.
 struct Quantity {
     Quantity(double number) : value(number) {}
-    Quantity(Scalar scalar, Dimension counts = Dimension::number)
-        : value(std::move(scalar)), dimension(counts) {}
+    Quantity(Scalar scalar, Unit counts = Unit::number) : value(std::move(scalar)), unit(counts) {}
 
     Scalar value;
-    Dimension dimension = Dimension::number;
+    Unit unit = Unit::number;
 };
 
 [[nodiscard]] Quantity degrees(double number);
@@ -39,10 +35,10 @@ using Tuple = std::vector<Quantity>;
 /// Points, each with its co-ordinates; numbers are points of one: {{0.0}, {0.5}, {1.0}}.
 using Points = std::vector<Tuple>;
 
-/// A formula and what its results count; without dimensions they fit any use.
+/// A formula and what its results count; without units they fit any use.
 struct FormulaValue {
     Formula formula;
-    std::vector<Dimension> dimensions{};
+    std::vector<Unit> units{};
 };
 
 /// In the place of a value: something that no parameter takes, in words ("a file's name").
@@ -79,7 +75,7 @@ struct NamedValue {
 // ------------------------------------------------------------------------------- binding
 
 /// What is wrong with the values for a stage, and with which of them.
-struct Finding {
+struct ArgumentError {
     enum class Kind : std::uint8_t {
         unknown_name,
         given_twice,
@@ -103,13 +99,13 @@ struct Finding {
 /// What a maker needs, or why there is none.
 struct Binding {
     std::optional<Arguments> arguments;
-    std::vector<Finding> findings;
+    std::vector<ArgumentError> errors;
 };
 
 /// Checks values against a row: names, forms, units, ranges, kinds of nested stages, numbers of
 /// points, constancy in time; and adds the defaults. A number that changes with time is held within
 /// its range. A stage that is a formula takes one value of its own name. There are arguments if
-/// there are no findings and no value has failed. The row must outlive the arguments.
+/// there are no errors and no value has failed. The row must outlive the arguments.
 [[nodiscard]] Binding bind(const StageEntry& row, std::span<const NamedValue> values);
 
 /// What is wrong with a formula of so many parameters and results for a shape; `name` is that of

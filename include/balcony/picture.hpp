@@ -53,7 +53,7 @@ enum class Fit : std::uint8_t {
 [[nodiscard]] Names<Fit> fits();
 
 /// A rectangle in a picture: two corners, as fractions from the picture's top left corner.
-struct Region {
+struct PictureRegion {
     std::array<Scalar, 2> from{}, to{};
 };
 
@@ -68,7 +68,7 @@ struct Stroke {
 struct Leader {
     /// In the whole picture. Without it, what the layer shows, where the layer `source_of` shows
     /// it; without such a layer, the same region of the whole picture.
-    std::optional<Region> region{};
+    std::optional<PictureRegion> region{};
     Stroke stroke{};
 };
 
@@ -89,9 +89,9 @@ struct Layer {
     std::vector<PictureArrangerPointer> arrangers{};
     /// From the window to what it shows, outermost first. They leave clip, frame and leaders alone.
     std::vector<PictureArrangerPointer> inner_arrangers{};
-    Fit fit = Fit::fit;            ///< Of what it shows in the window, which `fit` makes smaller.
-    std::optional<Region> show{};  ///< The region of its own picture that fills the window.
-    ClipShapePointer clip{};       ///< Null: the whole window.
+    Fit fit = Fit::fit;  ///< Of what it shows in the window, which `fit` makes smaller.
+    std::optional<PictureRegion> show{};  ///< The region of its own picture that fills the window.
+    ClipShapePointer clip{};              ///< Null: the whole window.
     Scalar softness = 0.0;  ///< Width of the clip's edge, as a fraction of the window's height.
     Scalar alpha = 1.0;
     std::optional<ColorMatrix> channels{};  ///< Of what it shows; its own colours without it.

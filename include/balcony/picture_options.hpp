@@ -13,11 +13,11 @@
 namespace balcony::app {
 
 /// A width, or a width and a height, under the name that the info has.
-[[nodiscard]] Option<PictureSize> size_option(OptionInfo info);
+[[nodiscard]] Option<SizeRequest> size_option(OptionInfo info);
 /// --size, --width and --height; the meaning is that of --size.
-[[nodiscard]] Options<PictureSize> size_options(const std::string& meaning);
+[[nodiscard]] Options<SizeRequest> size_options(const std::string& meaning);
 /// --aspect
-[[nodiscard]] Options<PictureSize> aspect_options();
+[[nodiscard]] Options<SizeRequest> aspect_options();
 /// --crop and --scale
 [[nodiscard]] Options<Crop> crop_options();
 /// --samples, --noise, --seed and --filter

@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-#include "balcony/camera.hpp"
+#include "balcony/emitter.hpp"
 
 namespace balcony::camera {
 

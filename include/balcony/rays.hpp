@@ -5,8 +5,8 @@
 // Rays: a compiled camera or picture that computes rays as numbers, for all users of rays: the
 // renderer, the analysis, bridges to other renderers.
 //
-//     compile(camera, width, height, request) ─▶ RayProgram ─▶ run(tile or points) ─▶ RayBatch
-//     compile(picture, width, height, request) ─▶ CompiledPicture: a RayProgram per camera layer
+//     compile(camera, width, height, options) ─▶ RayProgram ─▶ run(tile or points) ─▶ RayBatch
+//     compile(picture, width, height, options) ─▶ CompiledPicture: a RayProgram per camera layer
 //                                                 and the coverages of the layers
 //
 // Compiled objects are immutable and may be shared by threads; a Scratch and a RayBatch belong to
@@ -38,7 +38,7 @@ using program::Scratch;
 using program::Tile;
 
 /// Options of compilation.
-struct Request {
+struct CompileOptions {
     /// The axes of the rays; by default each camera's own.
     std::optional<Axes> axes{};
     bool footprints = false;  ///< Include the derivatives with respect to picture x and y.
@@ -146,10 +146,10 @@ private:
 class RayProgram {
 public:
     /// All expressions must be in one graph. It is an error if they depend on an input that the
-    /// request does not declare. Throws expr::GraphTooLarge if the derivatives do not fit into
+    /// options do not declare. Throws expr::GraphTooLarge if the derivatives do not fit into
     /// the graph; compile() converts this to a diagnostic.
     [[nodiscard]] static Result<RayProgram> make(const camera::RayExpressions& ray,
-                                                 Axes axes_of_ray, const Request& request);
+                                                 Axes axes_of_ray, const CompileOptions& options);
 
     [[nodiscard]] bool has_footprints() const { return roots_.footprints; }
     [[nodiscard]] bool has_parameters() const { return roots_.parameters; }
@@ -160,7 +160,7 @@ public:
     /// What a ray costs by itself, in instructions.
     [[nodiscard]] std::size_t instruction_count() const;
 
-    /// Computes rays over a tile of any size or at any number of points, according to the request.
+    /// Computes rays over a tile of any size or at any number of points, according to the options.
     void run(const Tile& tile, Scratch& scratch, RayBatch& rays) const;
     void run(const Points& points, Scratch& scratch, RayBatch& rays) const;
 
@@ -176,7 +176,7 @@ private:
 /// Compiles the rays of a single camera, in a picture of a size in pixels. It is an error if the
 /// derivatives exceed the size limit of a graph, or if an input is not declared.
 [[nodiscard]] Result<RayProgram> compile(const camera::Camera& camera, double width, double height,
-                                         const Request& request);
+                                         const CompileOptions& options);
 
 /// A compiled picture: the rays of each camera layer, and the coverage of each layer.
 class CompiledPicture {
@@ -222,7 +222,7 @@ private:
 /// Compiles a picture of a size in pixels, for tiles. It is an error if its formulas or their
 /// derivatives exceed the size limit of a graph.
 [[nodiscard]] Result<CompiledPicture> compile(const camera::Picture& picture, double width,
-                                              double height, const Request& request);
+                                              double height, const CompileOptions& options);
 
 /// A camera layer of a picture as a function from points of the whole picture to rays, which are
 /// valid only where its coverage is above 0.
@@ -251,7 +251,7 @@ private:
 
 /// Compiles the layers of a picture for points.
 [[nodiscard]] Result<VisibleLayers> compile_layers(const camera::Picture& picture, double width,
-                                                   double height, const Request& request);
+                                                   double height, const CompileOptions& options);
 
 /// The first and the last of some times, in seconds.
 struct RayTimes {

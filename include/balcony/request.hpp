@@ -30,7 +30,7 @@ namespace balcony::app {
 inline constexpr std::size_t max_side = 1'000'000;
 
 /// A requested picture size: width and height in pixels, one of them, or neither.
-struct PictureSize {
+struct SizeRequest {
     std::optional<std::size_t> width{};
     std::optional<std::size_t> height{};
     camera::Fit fit = camera::Fit::fit;  ///< What the picture does in a size of another aspect.
@@ -125,7 +125,7 @@ struct Request {
     bool fit = false;                ///< Place the camera by the size of the scene.
     std::string fit_to{};            ///< By that of an object of the scene, if it is not empty.
 
-    PictureSize size{};
+    SizeRequest size{};
     Crop crop{};
     std::optional<std::size_t> samples{};  ///< Per pixel; if empty, it depends on the noise level.
     /// All others; what the members beside it say takes the place of what it says.

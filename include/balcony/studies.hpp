@@ -44,7 +44,7 @@ struct CheckRequest {
     /// The number of a layer of the only picture: 1 is at the back, 3.1 is in the picture of layer
     /// 3. All layers if it is empty.
     std::string layer{};
-    PictureSize size{};   ///< Of whole pictures.
+    SizeRequest size{};   ///< Of whole pictures.
     double time = 0.0;    ///< The value of t in the cameras' formulas, and of the scene.
     std::string scene{};  ///< Without one, nothing is known about objects.
     /// From the ray origins to where magnification is measured; if empty, it depends on the scene
@@ -55,7 +55,7 @@ struct CheckRequest {
 
 /// What is known of one camera.
 struct CameraCheck {
-    analyse::Report report;
+    analyse::CameraReport report;
 
     /// A layer that shows the camera with these parameters.
     struct Layer {
@@ -117,7 +117,7 @@ struct CheckObserver {
 struct LocateRequest {
     std::string camera;              ///< With a scene also scene:NAME.
     std::vector<std::string> set{};  ///< Values of parameters: "gamma=1/2".
-    PictureSize size{};
+    SizeRequest size{};
     double time = 0.0;
     std::optional<Axes> axes{};  ///< Of the points; if empty, those of the scene or the camera.
     std::string scene{};         ///< Without one, nothing is known about obstacles.

@@ -38,7 +38,7 @@ static Measurements measure_temple_pinhole(Studio& studio, const Overrides& over
         overrides);
     const render::Film flight = studio.look(
         {.scene = "temple", .camera = "13-circle-and-torus/camera.cam", .width = 60, .height = 30});
-    const Region ring = region_of(film, "ring");
+    const ObjectPixels ring = object_pixels(film, "ring");
     return {
         {"columns seen", sightings_of(film, "column ").seen, 13, 14},
         {"width of the ring in that of the picture",

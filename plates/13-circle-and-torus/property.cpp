@@ -50,7 +50,7 @@ static Measurements measure_flight(Studio& studio, const Overrides& overrides) {
             {"share of origins within the ring's stone", inside, 0, 0},
             {"clearance from the columns' axes, in metres", clearance(film), 0.7},
             {"columns seen", sightings_of(film, "column ").seen, 8},
-            {"regions of the ring", region_of(film, "ring").regions, 1, 1},
+            {"regions of the ring", object_pixels(film, "ring").regions, 1, 1},
             {"share of the sky", share_of(film, "sky"), 0.2, 0.5},
             {"longest step between neighbouring origins, in metres", step.origin, 0, 0.2}};
 }

@@ -39,7 +39,7 @@ static Measurements measure_every_side(Studio& studio, const Overrides& override
             {"columns in one region", columns.connected, 14, 14},
             {"share of columns' pixels seen from outside", share_from_outside(film), 0.97},
             {"arches seen", sightings_of(film, "arch ").seen, 14, 14},
-            {"regions of the ring", region_of(film, "ring").regions, 1, 1},
+            {"regions of the ring", object_pixels(film, "ring").regions, 1, 1},
             {"points of the compass with sky, of 16", compass_points_with_sky(film), 16, 16},
             {"share of the sky", share_of(film, "sky"), 0.1, 0.4},
             {"longest step between neighbouring directions, in degrees", step.direction * 57.2958,

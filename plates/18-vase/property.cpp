@@ -23,7 +23,7 @@ static Measurements measure_vase(Studio& studio, const Overrides& overrides) {
                            overrides);
     };
     const render::Film film = look(1);
-    const Region vase = region_of(film, "vase");
+    const ObjectPixels vase = object_pixels(film, "vase");
     const auto& position = film.layers->position;
 
     constexpr std::size_t directions = 180;  // From the axis of the vase.

@@ -107,16 +107,16 @@ Measurements measure(Studio& studio, const Overrides& overrides) {
     const render::Film turned = look(studio, overrides, 400, period());
     const Steps coarse = steps_of(film);
     const Steps fine = steps_of(look(studio, overrides, 800));
-    return {
-        {"share of pixels that look elsewhere in the picture turned and scaled by its period",
-         share_elsewhere(film, turned), 0, 1e-3},
-        {"longest step in the gallery that contains itself, at twice the resolution",
-         fine.longest / coarse.longest, 0, 0.6},
-        {"farthest from the edge of the print that rays jump, in units of the wall's distance",
-         fine.from_edge, 0, 0.02},
-        {"pixels that show the paper in the print's place", region_of(film, "print").pixels, 0, 0},
-        {"times that the picture shows the visitor's hat", region_of(film, "visitor hat").regions,
-         2}};
+    return {{"share of pixels that look elsewhere in the picture turned and scaled by its period",
+             share_elsewhere(film, turned), 0, 1e-3},
+            {"longest step in the gallery that contains itself, at twice the resolution",
+             fine.longest / coarse.longest, 0, 0.6},
+            {"farthest from the edge of the print that rays jump, in units of the wall's distance",
+             fine.from_edge, 0, 0.02},
+            {"pixels that show the paper in the print's place", object_pixels(film, "print").pixels,
+             0, 0},
+            {"times that the picture shows the visitor's hat",
+             object_pixels(film, "visitor hat").regions, 2}};
 }
 
 }  // namespace print_gallery_plate

@@ -170,7 +170,7 @@ Sightings sightings_of(const render::Film& film, const std::string& begin) {
     Sightings sightings;
     for (const std::string& name : film.objects) {
         if (name.starts_with(begin)) {
-            const Region region = region_of(film, name);
+            const ObjectPixels region = object_pixels(film, name);
             ++sightings.objects;
             sightings.seen += region.pixels > 0 ? 1 : 0;
             sightings.connected += region.regions == 1 ? 1 : 0;
@@ -180,10 +180,10 @@ Sightings sightings_of(const render::Film& film, const std::string& begin) {
     return sightings;
 }
 
-Region region_of(const render::Film& film, const std::string& object) {
+ObjectPixels object_pixels(const render::Film& film, const std::string& object) {
     const std::vector<std::uint32_t>& ids = film.layers.value().object;
     const std::uint32_t id = id_of(film.objects, object);
-    Region region;
+    ObjectPixels region;
     region.min_x = film.width;
     region.min_y = film.height;
     for (std::size_t i = 0; i < ids.size(); ++i) {

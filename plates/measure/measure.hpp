@@ -49,15 +49,15 @@ struct Sightings {
 
 /// The pixels of an object, and its connected regions; none if it is not seen. Throws
 /// std::runtime_error if no object of the scene has that name.
-struct Region {
+struct ObjectPixels {
     std::size_t pixels = 0;
     std::size_t regions = 0;
     std::size_t min_x = 0, max_x = 0, min_y = 0, max_y = 0;  ///< Of its pixels.
 };
-[[nodiscard]] Region region_of(const render::Film& film, const std::string& object);
+[[nodiscard]] ObjectPixels object_pixels(const render::Film& film, const std::string& object);
 
 /// The largest number of separate runs of an object's pixels in a row of the picture. Throws as
-/// region_of does.
+/// object_pixels does.
 [[nodiscard]] std::size_t max_runs_in_row(const render::Film& film, const std::string& object);
 
 /// The ratio of the singular values of the matrix [[a, b], [c, d]], the larger one by the smaller.

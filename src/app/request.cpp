@@ -13,7 +13,7 @@ namespace balcony::app {
 
 namespace fs = std::filesystem;
 
-std::pair<std::size_t, std::size_t> PictureSize::resolve(
+std::pair<std::size_t, std::size_t> SizeRequest::resolve(
     double aspect, std::optional<std::array<std::size_t, 2>> own) const {
     if (!width && !height && own) {
         return {(*own)[0], (*own)[1]};

@@ -67,12 +67,12 @@ Interruption::Interruption() {
 
 Interruption::~Interruption() { pthread_kill(watcher_.native_handle(), wake_signal()); }
 
-Job::Job() {
+Interruptible::Interruptible() {
     const std::lock_guard lock(job_mutex);
     job = &stop_;
 }
 
-Job::~Job() {
+Interruptible::~Interruptible() {
     const std::lock_guard lock(job_mutex);
     job = nullptr;
 }

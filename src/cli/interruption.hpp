@@ -23,12 +23,12 @@ private:
 };
 
 /// During its lifetime, the first signal requests a stop through it. Only one may exist at a time.
-class Job {
+class Interruptible {
 public:
-    Job();
-    ~Job();
-    Job(const Job&) = delete;
-    Job& operator=(const Job&) = delete;
+    Interruptible();
+    ~Interruptible();
+    Interruptible(const Interruptible&) = delete;
+    Interruptible& operator=(const Interruptible&) = delete;
 
     [[nodiscard]] std::stop_token token() const { return stop_.get_token(); }
     void stop() { stop_.request_stop(); }

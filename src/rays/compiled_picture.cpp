@@ -11,13 +11,13 @@ class PictureCompiler {
 public:
     using Expressions = std::vector<camera::PictureExpressions::Element>;
 
-    explicit PictureCompiler(const Request& request) : request_(request) {}
+    explicit PictureCompiler(const CompileOptions& options) : options_(options) {}
 
     Result<CompiledPicture> run(const Expressions& all) {
         made_.elements_ = elements(all);
         if (!roots_.empty()) {
             made_.coverages_ = take(
-                program::Program::make(roots_, {program::Sampling::grid, request_.inputs}), found_);
+                program::Program::make(roots_, {program::Sampling::grid, options_.inputs}), found_);
         }
         if (has_errors(found_)) {
             return found_;
@@ -49,16 +49,16 @@ private:
         }
         if (one.ray) {
             made.layer = made_.layers_.size();
-            if (auto rays = take(RayProgram::make(*one.ray, one.axes, request_), found_)) {
+            if (auto rays = take(RayProgram::make(*one.ray, one.axes, options_), found_)) {
                 made_.layers_.push_back(
-                    {one.name, request_.axes.value_or(one.axes), std::move(*rays)});
+                    {one.name, options_.axes.value_or(one.axes), std::move(*rays)});
             }
         }
         made.group = elements(one.group);
         return made;
     }
 
-    const Request& request_;
+    const CompileOptions& options_;
     CompiledPicture made_;
     std::vector<expr::Expr> roots_;
     Diagnostics found_;
@@ -76,10 +76,10 @@ void CompiledPicture::run_coverages(const Tile& tile, Scratch& scratch,
 }
 
 Result<CompiledPicture> compile(const camera::Picture& picture, double width, double height,
-                                const Request& request) {
+                                const CompileOptions& options) {
     return within_limits<CompiledPicture>("picture", picture.name(), [&] {
         expr::Graph graph;
-        return PictureCompiler(request).run(picture.emit(graph, width, height).elements);
+        return PictureCompiler(options).run(picture.emit(graph, width, height).elements);
     });
 }
 

@@ -12,34 +12,34 @@ namespace balcony::rays {
 
 namespace {
 
-bool declares(const Request& request, std::string_view name) {
-    return std::any_of(request.inputs.begin(), request.inputs.end(),
+bool declares(const CompileOptions& options, std::string_view name) {
+    return std::any_of(options.inputs.begin(), options.inputs.end(),
                        [name](const Input& input) { return input.name == name; });
 }
 
 }  // namespace
 
 Result<RayProgram> RayProgram::make(const camera::RayExpressions& ray, Axes axes_of_ray,
-                                    const Request& request) {
-    const bool lens = ray.lens && declares(request, camera::lens_input_x) &&
-                      declares(request, camera::lens_input_y);
+                                    const CompileOptions& options) {
+    const bool lens = ray.lens && declares(options, camera::lens_input_x) &&
+                      declares(options, camera::lens_input_y);
     std::vector<expr::Expr> roots =
-        ray_roots(ray, lens, request.footprints, axes_of_ray, request.axes.value_or(axes_of_ray));
+        ray_roots(ray, lens, options.footprints, axes_of_ray, options.axes.value_or(axes_of_ray));
     if (ray.time) {
         roots.push_back(*ray.time);
     }
-    if (request.parameters) {
+    if (options.parameters) {
         roots.insert(roots.end(), {ray.parameters.u, ray.parameters.v});
     }
-    RayProgram made({request.footprints, ray.time.has_value(), request.parameters}, lens);
+    RayProgram made({options.footprints, ray.time.has_value(), options.parameters}, lens);
     Diagnostics found;
-    if (request.tiles) {
+    if (options.tiles) {
         made.for_tiles_ =
-            take(program::Program::make(roots, {program::Sampling::grid, request.inputs}), found);
+            take(program::Program::make(roots, {program::Sampling::grid, options.inputs}), found);
     }
-    if (request.points) {
+    if (options.points) {
         made.for_points_ =
-            take(program::Program::make(roots, {program::Sampling::points, request.inputs}), found);
+            take(program::Program::make(roots, {program::Sampling::points, options.inputs}), found);
     }
     if (has_errors(found)) {
         return found;
@@ -58,20 +58,20 @@ std::size_t RayProgram::instruction_count() const {
 }
 
 void RayProgram::run(const Tile& tile, Scratch& scratch, RayBatch& rays) const {
-    assert(for_tiles_ && "the request was not for tiles");
+    assert(for_tiles_ && "the options were not for tiles");
     program::run(*for_tiles_, tile, scratch, rays.reserve(tile.width * tile.height, roots_));
 }
 
 void RayProgram::run(const Points& points, Scratch& scratch, RayBatch& rays) const {
-    assert(for_points_ && "the request was not for points");
+    assert(for_points_ && "the options were not for points");
     program::run(*for_points_, points, scratch, rays.reserve(points.x.size(), roots_));
 }
 
 Result<RayProgram> compile(const camera::Camera& camera, double width, double height,
-                           const Request& request) {
+                           const CompileOptions& options) {
     return within_limits<RayProgram>("camera", camera.name(), [&] {
         expr::Graph graph;
-        return RayProgram::make(camera.emit(graph, width, height), camera.parts().axes, request);
+        return RayProgram::make(camera.emit(graph, width, height), camera.parts().axes, options);
     });
 }
 

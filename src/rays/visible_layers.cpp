@@ -14,7 +14,7 @@ class LayerFinder {
 public:
     using Element = camera::PictureExpressions::Element;
 
-    explicit LayerFinder(const Request& request) : request_(request) {}
+    explicit LayerFinder(const CompileOptions& options) : options_(options) {}
 
     Result<VisibleLayers> run(const std::vector<Element>& elements, expr::Graph& graph) {
         find(elements, graph.constant(0.0), graph.constant(1.0));
@@ -23,7 +23,7 @@ public:
         if (std::any_of(hidden_.begin(), hidden_.end(),
                         [](const expr::Expr& hidden) { return !hidden.is_constant(0.0); })) {
             made_.hidden_ =
-                take(program::Program::make(hidden_, {program::Sampling::points, request_.inputs}),
+                take(program::Program::make(hidden_, {program::Sampling::points, options_.inputs}),
                      found_);
         }
         if (has_errors(found_)) {
@@ -56,14 +56,14 @@ private:
         camera::RayExpressions ray = *element.ray;
         ray.valid = ray.valid && shown;
         hidden_.push_back(hidden);
-        if (auto rays = take(RayProgram::make(ray, element.axes, request_), found_)) {
+        if (auto rays = take(RayProgram::make(ray, element.axes, options_), found_)) {
             made_.layers_.push_back(
-                {element.name, request_.axes.value_or(element.axes), std::move(*rays)});
+                {element.name, options_.axes.value_or(element.axes), std::move(*rays)});
         }
         return element.ray->valid;
     }
 
-    const Request& request_;
+    const CompileOptions& options_;
     VisibleLayers made_;
     std::vector<expr::Expr> hidden_;  // By layer.
     Diagnostics found_;
@@ -76,10 +76,10 @@ void VisibleLayers::run_hidden(const Points& points, Scratch& scratch,
 }
 
 Result<VisibleLayers> compile_layers(const camera::Picture& picture, double width, double height,
-                                     const Request& request) {
+                                     const CompileOptions& options) {
     return within_limits<VisibleLayers>("picture", picture.name(), [&] {
         expr::Graph graph;
-        return LayerFinder(request).run(picture.emit(graph, width, height).elements, graph);
+        return LayerFinder(options).run(picture.emit(graph, width, height).elements, graph);
     });
 }
 

@@ -29,7 +29,7 @@ using std::numbers::pi;
 
 TEST(Measures, PinholeHasTheSolidAngleOfPerspective) {
     const double width = 400;
-    const Report report = report_on(standard("pinhole", {{"fov", "90deg"}}), width, 300);
+    const CameraReport report = report_on(standard("pinhole", {{"fov", "90deg"}}), width, 300);
     EXPECT_TRUE(report.single_viewpoint);
     EXPECT_FALSE(report.distance);
     EXPECT_EQ(words(report), "");
@@ -52,7 +52,7 @@ TEST(Measures, PinholeHasTheSolidAngleOfPerspective) {
 TEST(Measures, OrthographicShowsAllAlikeAtAnyDistance) {
     const camera::Camera camera = standard("orthographic", {{"width", "8"}});
     for (const auto& distance : {std::optional<double>(), std::optional<double>(100.0)}) {
-        const Report report = report_on(camera, 320, 200, distance);
+        const CameraReport report = report_on(camera, 320, 200, distance);
         EXPECT_FALSE(report.single_viewpoint);
         for (const Statistics& row : {*report.magnification, *report.anisotropy}) {
             EXPECT_NEAR(row.maximum, row.minimum, 1e-10);
@@ -64,7 +64,7 @@ TEST(Measures, OrthographicShowsAllAlikeAtAnyDistance) {
 }
 
 TEST(Measures, EquirectangularIsAsAnisotropicAsTheSecantOfLatitude) {
-    const Report report = report_on(standard("panorama"), 400, 200);
+    const CameraReport report = report_on(standard("panorama"), 400, 200);
     for (std::size_t i = 0; i < report.samples.size(); i += 331) {
         const double latitude = (0.5 - report.grid.at(i).y / 200) * pi;
         const double expected = 1 / std::cos(latitude);
@@ -85,7 +85,7 @@ TEST(Measures, TheGridHasAtMostTheRequestedSamples) {
     // A step of 1.5 would do for the first, one of 2 just does for the second.
     for (const std::size_t maximum : {1067, 600}) {
         settings.max_samples = maximum;
-        const Report report = *diagnose(camera, settings);
+        const CameraReport report = *diagnose(camera, settings);
         EXPECT_EQ(report.grid.step, 2.0);
         EXPECT_EQ(report.samples.size(), 600U);
     }
@@ -94,7 +94,7 @@ TEST(Measures, TheGridHasAtMostTheRequestedSamples) {
 }
 
 TEST(Measures, OriginsHaveTheirMiddleAndExtent) {
-    const Report report =
+    const CameraReport report =
         report_on(camera_of("camera o { map u = 1 .. -1, v = -1 .. 1\n"
                             "eye surface(u, v) = [5, 3 + u, v - 2] look normal }"),
                   100, 50);
@@ -128,7 +128,7 @@ TEST(Measures, ACubeShapedCameraLooksSquarelyAtItsDistance) {
     // long as on the cylinder.
     const camera::Camera camera =
         camera_of("camera c { map u = 90deg .. -90deg, v = -1 .. 1 eye cylinder(2) look normal }");
-    const Report report = report_on(camera, 300, 100, 1.0);
+    const CameraReport report = report_on(camera, 300, 100, 1.0);
     const double by_x = 3 * pi / 300;
     const double by_y = 2.0 / 100;
     EXPECT_NEAR(report.magnification->median, 1 / std::sqrt(by_x * by_y), 1e-9);
@@ -137,7 +137,7 @@ TEST(Measures, ACubeShapedCameraLooksSquarelyAtItsDistance) {
 
 // Where on its line a ray begins makes no picture.
 TEST(Measures, OriginsThatSlideAlongTheirRaysChangeNothing) {
-    const Report report =
+    const CameraReport report =
         report_on(camera_of("camera s { map u = 1 .. -1, v = -1 .. 1\n"
                             "eye surface(u, v) = [2*u + u*v, u, v] look along(x) }"),
                   100, 100);
@@ -148,7 +148,7 @@ TEST(Measures, OriginsThatSlideAlongTheirRaysChangeNothing) {
 }
 
 TEST(Findings, SuperellipticCameraHasNone) {
-    const Report report =
+    const CameraReport report =
         report_on(camera_of("camera superelliptic {\n"
                             "    aspect 5\n"
                             "    map u = 210.85deg .. -149.15deg, v = -36deg .. 36deg\n"
@@ -175,7 +175,7 @@ TEST(Findings, BuiltInCamerasHaveNoneButOnPurpose) {
     for (const std::string& name : laws::single_built_in_cameras()) {
         const camera::Camera camera = standard(name);
         const double width = 500 * std::sqrt(camera.parts().aspect);
-        const Report report =
+        const CameraReport report =
             report_on(camera, std::round(width), std::round(width / camera.parts().aspect));
         EXPECT_EQ(report.has_defects(), on_purpose.contains(name)) << name << ": " << words(report);
     }
@@ -189,7 +189,7 @@ std::string zoomed(const std::string& strength) {
 
 TEST(Findings, AZoomFoldsBelow32Of81) {
     EXPECT_EQ(words(report_on(camera_of(zoomed("0.4")), 400, 200)), "");
-    const Report report = report_on(camera_of(zoomed("0.25")), 400, 200);
+    const CameraReport report = report_on(camera_of(zoomed("0.25")), 400, 200);
     const auto folds = findings(report, FindingKind::fold);
     ASSERT_EQ(folds.size(), 1U) << words(report);
     EXPECT_TRUE(folds[0].defect);
@@ -214,7 +214,7 @@ TEST(Findings, OneSeamOfKnownLength) {
     const camera::Camera straight = camera_of(
         "camera s { map u = 1 .. -1, v = -1 .. 1 eye surface(u, v) = [0, u, v]\n"
         "toward surface(u, v) = [1, u + floor((u - 0.3)/4)/2, v] look relative }");
-    const Report report = report_on(straight, 200, 100);
+    const CameraReport report = report_on(straight, 200, 100);
     const auto seams = findings(report, FindingKind::seam);
     ASSERT_EQ(seams.size(), 1U) << words(report);
     EXPECT_NEAR(seams[0].length, 100.0, 1e-9);
@@ -224,14 +224,14 @@ TEST(Findings, OneSeamOfKnownLength) {
     const camera::Camera slanting = camera_of(
         "camera s { map u = 1 .. -1, v = -1 .. 1 eye surface(u, v) = [0, u, v]\n"
         "toward surface(u, v) = [1, u + floor((u - v/2)/4)/2, v] look relative }");
-    const Report across = report_on(slanting, 200, 200);
+    const CameraReport across = report_on(slanting, 200, 200);
     const auto slant = findings(across, FindingKind::seam);
     ASSERT_EQ(slant.size(), 1U) << words(across);
     EXPECT_NEAR(slant[0].length, 200 * std::sqrt(1.25), 1.0);
 }
 
 TEST(Findings, ASeamMarksTheSamplesOnBothSides) {
-    const Report report = report_on(
+    const CameraReport report = report_on(
         camera_of("camera s { map u = 1 .. -1, v = -1 .. 1 eye surface(u, v) = [0, u, v]\n"
                   "toward surface(u, v) = [1, u + if(u > 0 && v < -0.5, 1, 0), v]\n"
                   "look relative }"),
@@ -256,7 +256,7 @@ TEST(Findings, SeamsAreFoundInAnyUnitOfLength) {
             "look relative }";
         const std::string origins = "k*(u + if(u > 0.3, 0.1, 0)), v*k]\nlook along(x) }";
         for (const std::string& rest : {directions, origins}) {
-            const Report report = report_on(camera_of(scaled + rest), 100, 50);
+            const CameraReport report = report_on(camera_of(scaled + rest), 100, 50);
             EXPECT_EQ(findings(report, FindingKind::seam).size(), 1U) << unit << '\n'
                                                                       << words(report);
         }
@@ -279,7 +279,7 @@ TEST(Findings, SteepChangesAreNotSeams) {
 // Nobody sees a jump by less than what a tenth of a pixel changes beside it.
 TEST(Findings, AVisibleJumpInASteepChangeIsASeam) {
     const auto seams = [](const std::string& jump) {
-        const Report report = report_on(
+        const CameraReport report = report_on(
             camera_of("camera s { map u = 1 .. -1, v = -1 .. 1 eye surface(u, v) = [0, u, v]\n"
                       "toward surface(u, v) = [1, u + tanh(300*(u - 0.3))/2 + if(u > 0.3, " +
                       jump + ", 0), v] look relative }"),
@@ -295,7 +295,7 @@ TEST(Findings, TwoTurnsShowAllTwice) {
         camera_of("camera c { map u = 360deg .. -360deg, v = -1 .. 1 eye cylinder(1) }");
     // A width for which no two samples have the same ray exactly, too.
     for (const double width : {400.0, 397.0}) {
-        const Report report = report_on(camera, width, 100);
+        const CameraReport report = report_on(camera, width, 100);
         const auto repeated = findings(report, FindingKind::repeated);
         ASSERT_EQ(repeated.size(), 1U) << words(report);
         EXPECT_EQ(repeated[0].share, 1.0);
@@ -317,7 +317,7 @@ TEST(Findings, TwoTurnsShowAllTwice) {
 TEST(Findings, FractalRockHasNoRepeatedViews) {
     const camera::Camera rock = camera_of(
         "camera rock { map u = 3 .. -3, v = -3 .. 3 eye fractal_plane(octaves = 12) look normal }");
-    const Report report = report_on(rock, 320, 320);
+    const CameraReport report = report_on(rock, 320, 320);
     EXPECT_TRUE(findings(report, FindingKind::repeated).empty()) << words(report);
     EXPECT_TRUE(findings(report, FindingKind::seam).empty()) << words(report);
     EXPECT_FALSE(findings(report, FindingKind::fold).empty()) << words(report);
@@ -327,7 +327,7 @@ TEST(Findings, ARoundPictureFillsAQuarterOfPi) {
     const camera::Camera camera = camera_of(
         "camera round { aspect 1 map u = 1 .. -1, v = -1 .. 1 eye point(0, 0, 0)\n"
         "toward surface(u, v) = [sqrt(1 - u^2 - v^2), u, v] look relative }");
-    const Report report = report_on(camera, 250, 250);
+    const CameraReport report = report_on(camera, 250, 250);
     EXPECT_NEAR(report.valid_share, pi / 4, 1e-3);
     const auto none = findings(report, FindingKind::no_ray);
     ASSERT_EQ(none.size(), 1U);
@@ -336,7 +336,7 @@ TEST(Findings, ARoundPictureFillsAQuarterOfPi) {
 }
 
 TEST(Findings, NoRayAtAll) {
-    const Report report =
+    const CameraReport report =
         report_on(camera_of("camera none { map u = 1 .. -1, v = -1 .. 1 eye point(0, 0, 0)\n"
                             "toward surface(u, v) = [sqrt(-1 - u^2), u, v] look relative }"),
                   50, 50);
@@ -345,7 +345,7 @@ TEST(Findings, NoRayAtAll) {
 }
 
 TEST(Findings, AMirroredPictureIsReported) {
-    const Report report = report_on(
+    const CameraReport report = report_on(
         camera_of(
             "camera m { map u = -1 .. 1, v = -1 .. 1 eye point(0,0,0) toward plane((1, 0, 0)) }"),
         100, 100);
@@ -355,7 +355,7 @@ TEST(Findings, AMirroredPictureIsReported) {
 }
 
 TEST(Findings, ACameraThatMakesNoUseOfVIsSingular) {
-    const Report report = report_on(
+    const CameraReport report = report_on(
         camera_of("camera s { map u = 1 .. -1, v = -1 .. 1 eye point(0, 0, 0) toward circle(1) }"),
         100, 100);
     const auto singular = findings(report, FindingKind::singular);

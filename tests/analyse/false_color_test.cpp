@@ -90,7 +90,7 @@ TEST(FalseColor, EveryMapOfEveryKindOfCameraCanBeDrawn) {
         DiagnoseSettings settings;
         settings.width = 60;
         settings.height = 40;
-        const Report report = *diagnose(test::camera_of(text), settings);
+        const CameraReport report = *diagnose(test::camera_of(text), settings);
         for (const auto& row : map_kinds()) {
             const Image image = false_color(report, row.value);
             EXPECT_EQ(image.samples.size(), 3 * image.width * image.height);
@@ -105,7 +105,7 @@ TEST(FalseColor, ColoursAreAtTheirSamples) {
     DiagnoseSettings settings;
     settings.width = 100;
     settings.height = 100;
-    const Report report =
+    const CameraReport report =
         *diagnose(test::camera_of("camera half { map u = 1 .. -1, v = -1 .. 1 eye point(0, 0, 0)\n"
                                   "toward surface(u, v) = [1 + sqrt(v)/10, u, v] look relative }"),
                   settings);
@@ -120,8 +120,8 @@ TEST(FalseColor, ColoursAreAtTheirSamples) {
 
 // 200 samples in 20 columns, all valid; make(i, sample) changes them.
 template <class Make>
-Report report_of(const Make& make) {
-    Report report;
+CameraReport report_of(const Make& make) {
+    CameraReport report;
     report.grid = SampleGrid::over(20, 10, 1);
     report.samples.resize(report.grid.size());
     for (std::size_t i = 0; i < report.samples.size(); ++i) {
@@ -138,7 +138,7 @@ Color color_of(const Image& image, std::size_t sample) {
 }
 
 TEST(FalseColor, TheScaleExcludesOnePercentAtEachEnd) {
-    const Report report = report_of([](std::size_t i, Sample& sample) {
+    const CameraReport report = report_of([](std::size_t i, Sample& sample) {
         sample.anisotropy = static_cast<double>(i + 1);
         sample.magnification = 5.0;
     });
@@ -153,7 +153,7 @@ TEST(FalseColor, TheScaleExcludesOnePercentAtEachEnd) {
 }
 
 TEST(FalseColor, SingularSamplesAreNotOfTheScale) {
-    const Report report = report_of([](std::size_t i, Sample& sample) {
+    const CameraReport report = report_of([](std::size_t i, Sample& sample) {
         sample.singular = i % 2 == 1;
         sample.magnification = sample.singular ? 0.0 : static_cast<double>(i + 1);
     });
@@ -166,7 +166,7 @@ TEST(FalseColor, SingularSamplesAreNotOfTheScale) {
 }
 
 TEST(FalseColor, SignsSeamsAndRepeatsHaveTheirColours) {
-    const Report report = report_of([](std::size_t i, Sample& sample) {
+    const CameraReport report = report_of([](std::size_t i, Sample& sample) {
         sample.orientation = i < 20 ? -1 : 1;
         sample.seam = i < 40;
         sample.views = i < 60 ? 0 : i < 80 ? 7 : 1;

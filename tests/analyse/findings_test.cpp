@@ -29,10 +29,11 @@ camera::Camera camera_to(const std::string& y, const std::string& z = "v",
 }
 
 TEST(NoRay, IsFoundInTheMiddleOfTheLargestRegion) {
-    const Report report = report_on(camera_to("u", "v",
-                                              "1 + sqrt((u - 0.5)^2 + (v - 0.5)^2 - 0.04)/99\n"
-                                              "+ sqrt((u + 0.4)^2 + (v + 0.4)^2 - 0.16)/99"),
-                                    100, 100);
+    const CameraReport report =
+        report_on(camera_to("u", "v",
+                            "1 + sqrt((u - 0.5)^2 + (v - 0.5)^2 - 0.04)/99\n"
+                            "+ sqrt((u + 0.4)^2 + (v + 0.4)^2 - 0.16)/99"),
+                  100, 100);
     const auto none = findings(report, FindingKind::no_ray);
     ASSERT_EQ(none.size(), 1U) << words(report);
     EXPECT_EQ(none[0].count, 2U);
@@ -40,7 +41,8 @@ TEST(NoRay, IsFoundInTheMiddleOfTheLargestRegion) {
 }
 
 TEST(Mirrored, PartsAreCountedByTheSeamsBetweenThem) {
-    const Report report = report_on(camera_to("if(u > -0.3, u, if(v > 0, 4 - u, 8 - u))"), 100, 40);
+    const CameraReport report =
+        report_on(camera_to("if(u > -0.3, u, if(v > 0, 4 - u, 8 - u))"), 100, 40);
     const auto mirrored = findings(report, FindingKind::mirrored);
     ASSERT_EQ(mirrored.size(), 1U) << words(report);
     EXPECT_EQ(mirrored[0].message, "35 % of the picture, in 2 regions, is mirrored");
@@ -53,7 +55,7 @@ TEST(Mirrored, PartsAreCountedByTheSeamsBetweenThem) {
 }
 
 TEST(Mirrored, MostOfThePictureIsReportedOnce) {
-    const Report report = report_on(camera_to("if(u > 0.3, u, 4 - u)"), 100, 40);
+    const CameraReport report = report_on(camera_to("if(u > 0.3, u, 4 - u)"), 100, 40);
     const auto mirrored = findings(report, FindingKind::mirrored);
     ASSERT_EQ(mirrored.size(), 1U) << words(report);
     EXPECT_EQ(mirrored[0].message, "most of the picture, 65 %, is mirrored");
@@ -76,7 +78,7 @@ TEST(Mirrored, BehindWhereRaysCross) {
 
 TEST(Fold, IsFoundAcrossALineOfSingularSamples) {
     // In pictures of an odd width a column of samples lies just where u is 0.
-    const Report report = report_on(camera_to("u^2"), 101, 40);
+    const CameraReport report = report_on(camera_to("u^2"), 101, 40);
     const auto folds = findings(report, FindingKind::fold);
     ASSERT_EQ(folds.size(), 1U) << words(report);
     EXPECT_NEAR(folds[0].share, 50.0 / 101, 1e-12);
@@ -85,7 +87,7 @@ TEST(Fold, IsFoundAcrossALineOfSingularSamples) {
 
 TEST(Fold, OfAFewSamplesIsNone) {
     // Two samples lie in the square that is turned round.
-    const Report report =
+    const CameraReport report =
         report_on(camera_to("if(abs(u - 0.01) < 0.015 && abs(v) < 0.015, -u, u)"), 100, 100);
     EXPECT_TRUE(findings(report, FindingKind::fold).empty()) << words(report);
     EXPECT_TRUE(findings(report, FindingKind::mirrored).empty()) << words(report);
@@ -94,7 +96,7 @@ TEST(Fold, OfAFewSamplesIsNone) {
 // The advice is about the stages that make the picture fold, and about no others.
 TEST(Fold, AdviceFitsTheCause) {
     const auto advice = [](const std::string& warp, const std::string& y) {
-        const Report report =
+        const CameraReport report =
             report_on(camera_of("camera c { map u = 1 .. -1, v = -1 .. 1 " + warp +
                                 " eye point(0, 0, 0) toward surface(u, v) = [1, " + y +
                                 ", v] look relative }"),
@@ -114,7 +116,7 @@ TEST(Fold, AdviceFitsTheCause) {
 }
 
 TEST(Seams, BeyondTheEighthAreOneFinding) {
-    const Report report = report_on(camera_to("u + floor((u + 1)*5.5)/2"), 110, 40);
+    const CameraReport report = report_on(camera_to("u + floor((u + 1)*5.5)/2"), 110, 40);
     const auto seams = findings(report, FindingKind::seam);
     ASSERT_EQ(seams.size(), 9U) << words(report);
     for (std::size_t i = 0; i < 8; ++i) {
@@ -126,7 +128,7 @@ TEST(Seams, BeyondTheEighthAreOneFinding) {
 }
 
 TEST(Seams, SayTheLargestAngle) {
-    const Report report = report_on(camera_to("u + if(u > 0.3, 0.3 + 0.2*v, 0)"), 100, 100);
+    const CameraReport report = report_on(camera_to("u + if(u > 0.3, 0.3 + 0.2*v, 0)"), 100, 100);
     double largest = 0.0;
     for (int row = 0; row < 100; ++row) {
         const double v = 0.99 - 0.02 * row;
@@ -142,7 +144,7 @@ TEST(Seams, SayTheLargestAngle) {
 }
 
 TEST(Singular, AtASinglePointIsNoDefect) {
-    const Report report = report_on(camera_to("u*(u^2 + v^2)", "v*(u^2 + v^2)"), 101, 101);
+    const CameraReport report = report_on(camera_to("u*(u^2 + v^2)", "v*(u^2 + v^2)"), 101, 101);
     const auto singular = findings(report, FindingKind::singular);
     ASSERT_EQ(singular.size(), 1U) << words(report);
     EXPECT_FALSE(singular[0].defect);

@@ -20,8 +20,8 @@ camera::Camera standard(const std::string& name, const std::vector<lang::Overrid
     return *made;
 }
 
-Report report_on(const camera::Camera& camera, double width, double height,
-                 std::optional<double> distance) {
+CameraReport report_on(const camera::Camera& camera, double width, double height,
+                       std::optional<double> distance) {
     DiagnoseSettings settings;
     settings.width = width;
     settings.height = height;
@@ -29,7 +29,7 @@ Report report_on(const camera::Camera& camera, double width, double height,
     return *diagnose(camera, settings);
 }
 
-std::vector<Finding> findings(const Report& report, FindingKind kind) {
+std::vector<Finding> findings(const CameraReport& report, FindingKind kind) {
     std::vector<Finding> found;
     for (const Finding& finding : report.findings) {
         if (finding.kind == kind) {
@@ -39,7 +39,7 @@ std::vector<Finding> findings(const Report& report, FindingKind kind) {
     return found;
 }
 
-std::string words(const Report& report) {
+std::string words(const CameraReport& report) {
     std::string text;
     for (const Finding& finding : report.findings) {
         text += finding.message + "\n";

@@ -17,12 +17,12 @@ camera::Camera camera_of(const std::string& text);
 camera::Camera standard(const std::string& name, const std::vector<lang::Override>& overrides = {});
 
 /// On a picture of a size in pixels, measured at a distance if one is given.
-Report report_on(const camera::Camera& camera, double width, double height,
-                 std::optional<double> distance = {});
+CameraReport report_on(const camera::Camera& camera, double width, double height,
+                       std::optional<double> distance = {});
 
-std::vector<Finding> findings(const Report& report, FindingKind kind);
+std::vector<Finding> findings(const CameraReport& report, FindingKind kind);
 
 /// The messages of all findings, a line each.
-std::string words(const Report& report);
+std::string words(const CameraReport& report);
 
 }  // namespace balcony::analyse::test

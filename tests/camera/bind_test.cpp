@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Stages made by a C++ program: what is checked, and which value each finding is about.
+// Stages made by a C++ program: what is checked, and which value each error is about.
 
 #include <limits>
 #include <numbers>
@@ -12,7 +12,7 @@
 namespace balcony::camera::bind_test {
 namespace {
 
-using Kind = Finding::Kind;
+using Kind = ArgumentError::Kind;
 
 const StageEntry& row() {
     static const StageEntry made{
@@ -56,12 +56,12 @@ Binding bound(std::initializer_list<NamedValue> values) {
     return bind(row(), std::span(values.begin(), values.size()));
 }
 
-/// The only finding.
-Finding found(std::initializer_list<NamedValue> values) {
+/// The only error.
+ArgumentError found(std::initializer_list<NamedValue> values) {
     const Binding made = bound(values);
     EXPECT_FALSE(made.arguments);
-    EXPECT_EQ(made.findings.size(), 1U);
-    return made.findings.empty() ? Finding{Kind::missing, {}} : made.findings.front();
+    EXPECT_EQ(made.errors.size(), 1U);
+    return made.errors.empty() ? ArgumentError{Kind::missing, {}} : made.errors.front();
 }
 
 TEST(Bind, GivesValuesAndDefaults) {
@@ -84,27 +84,27 @@ TEST(Bind, OneNumberMayBeForBothAndAWordAnAxis) {
 }
 
 TEST(Bind, AFindingTellsWhichValueItIsAbout) {
-    const Finding unknown = found({{"radius", 1.0}, {"radios", 2.0}});
+    const ArgumentError unknown = found({{"radius", 1.0}, {"radios", 2.0}});
     EXPECT_EQ(unknown.kind, Kind::unknown_name);
     EXPECT_EQ(unknown.value, 1U);
     EXPECT_EQ(unknown.diagnostic.message, "'stage' has no argument 'radios'");
     EXPECT_EQ(unknown.diagnostic.remedy, "did you mean 'radius'?");
 
-    const Finding twice = found({{"radius", 1.0}, {"n", 2.0}, {"radius", 2.0}});
+    const ArgumentError twice = found({{"radius", 1.0}, {"n", 2.0}, {"radius", 2.0}});
     EXPECT_EQ(twice.kind, Kind::given_twice);
     EXPECT_EQ(twice.value, 2U);
     EXPECT_EQ(twice.earlier, 0U);
 
-    const Finding missing = found({{"n", 2.0}});
+    const ArgumentError missing = found({{"n", 2.0}});
     EXPECT_EQ(missing.kind, Kind::missing);
     EXPECT_EQ(missing.value, std::nullopt);
     EXPECT_EQ(missing.diagnostic.message, "'stage' needs its argument 'radius' (how large)");
 
-    const Finding axis = found({{"radius", 1.0}, {"axis", {0.0, -2.0, 0.0}}});
+    const ArgumentError axis = found({{"radius", 1.0}, {"axis", {0.0, -2.0, 0.0}}});
     EXPECT_EQ(axis.kind, Kind::out_of_range);
     EXPECT_EQ(axis.element, std::vector<std::size_t>{1});
 
-    const Finding point =
+    const ArgumentError point =
         found({{"radius", 1.0}, {"points", Points{{0.0, 0.0}, {degrees(1), 1.0}}}});
     EXPECT_EQ(point.kind, Kind::angle_for_number);
     EXPECT_EQ(point.element, (std::vector<std::size_t>{1, 0}));
@@ -170,7 +170,7 @@ TEST(Bind, ChecksFormulas) {
     EXPECT_TRUE(bound({{"radius", 1.0}, {"weight", sum_of(2)}}).arguments);
     EXPECT_EQ(found({{"radius", 1.0}, {"weight", sum_of(1)}}).diagnostic.message,
               "the formula 'weight' has 2 parameters, but this one has 1");
-    const FormulaValue angle{sum_of(2), {Dimension::angle}};
+    const FormulaValue angle{sum_of(2), {Unit::angle}};
     EXPECT_EQ(found({{"radius", 1.0}, {"weight", angle}}).kind, Kind::angle_for_number);
 }
 
@@ -198,7 +198,7 @@ TEST(Bind, HoldsWhatChangesWithTimeInItsRange) {
 TEST(Bind, JudgesNothingThatHasFailed) {
     const Binding made = bound({{"radius", Failed{}}});
     EXPECT_FALSE(made.arguments);
-    EXPECT_TRUE(made.findings.empty());
+    EXPECT_TRUE(made.errors.empty());
 }
 
 TEST(MakeStage, MakesAStageOfItsPort) {

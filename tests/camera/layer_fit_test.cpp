@@ -149,7 +149,7 @@ TEST(InnerArrangers, MoveWhatIsInTheWindow) {
 
 TEST(ShownRegion, FillsTheWindow) {
     Layer closeup = layer(wide());
-    closeup.show = Region{{0.25, 0.5}, {0.5, 1.0}};
+    closeup.show = PictureRegion{{0.25, 0.5}, {0.5, 1.0}};
     const Picture magnified = picture({closeup});
     // A region of aspect 1.
     expect_seen(seen(magnified, 50.0, 50.0, 100.0, 100.0), 0.375, 0.25);
@@ -160,7 +160,7 @@ TEST(ShownRegion, FillsTheWindow) {
 // What the window shows moves, and there is more than the region.
 TEST(ShownRegion, MovesInsideTheWindow) {
     Layer closeup = layer(wide());
-    closeup.show = Region{{0.25, 0.5}, {0.5, 1.0}};
+    closeup.show = PictureRegion{{0.25, 0.5}, {0.5, 1.0}};
     closeup.inner_arrangers = {shift(0.5, 0.0)};
     expect_seen(seen(picture({closeup}), 0.0, 0.0, 100.0, 100.0), 0.125, 0.5);
 }
@@ -172,7 +172,7 @@ TEST(ShownRegion, IsOneOfTheLayerBelow) {
     below.arrangers = {place(0.0, 0.5, 1.0, 1.0)};
     Layer closeup = layer(adapting);
     closeup.arrangers = {place(0.0, 0.0, 1.0, 0.5)};
-    closeup.show = Region{{0.25, 0.0}, {0.75, 1.0}};
+    closeup.show = PictureRegion{{0.25, 0.0}, {0.75, 1.0}};
     const Picture both = picture({below, closeup}, 1.0);
     EXPECT_EQ(source_of(both.parts(), 1), 0U);
     EXPECT_EQ(source_of(both.parts(), 0), std::nullopt);
@@ -190,7 +190,7 @@ TEST(ShownRegion, IsTheTargetOfALeaderWithoutCorners) {
     below.arrangers = {place(0.0, 0.5, 1.0, 1.0)};
     Layer closeup = layer(same);
     closeup.arrangers = {place(0.4, 0.05, 0.6, 0.25)};
-    closeup.show = Region{{0.25, 0.25}, {0.5, 0.75}};
+    closeup.show = PictureRegion{{0.25, 0.25}, {0.5, 0.75}};
     closeup.leaders = {Leader{.region = {}, .stroke = {0.02}}};
     const Picture led = picture({below, closeup}, 1.0);
     Graph graph;
@@ -208,7 +208,7 @@ TEST(ShownRegion, IsTheTargetOfALeaderWithoutCorners) {
 
 TEST(ShownRegion, HasAnArea) {
     Layer empty = layer(wide());
-    empty.show = Region{{0.5, 0.2}, {0.5, 0.4}};
+    empty.show = PictureRegion{{0.5, 0.2}, {0.5, 0.4}};
     const auto refused = Picture::make({.name = "p", .layers = {empty}, .size = {}, .aspect = {}});
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.diagnostics[0].message, "the region that layer 'one' shows has no area");

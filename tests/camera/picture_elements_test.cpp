@@ -186,8 +186,8 @@ protected:
         Layer made = layer();
         made.arrangers = {place({0.5, 0.1}, {0.9, 0.9})};
         // The corners of the region may be given in either order.
-        made.leaders = {GetParam() ? Leader{Region{{0.1, 0.4}, {0.2, 0.6}}, {0.02}}
-                                   : Leader{Region{{0.2, 0.6}, {0.1, 0.4}}, {0.02}}};
+        made.leaders = {GetParam() ? Leader{PictureRegion{{0.1, 0.4}, {0.2, 0.6}}, {0.02}}
+                                   : Leader{PictureRegion{{0.2, 0.6}, {0.1, 0.4}}, {0.02}}};
         return made;
     }
 };
@@ -260,7 +260,7 @@ TEST(PictureBounds, HoldForNumbersOfLayers) {
         framed.frame = Stroke{outside, {}};
         EXPECT_FALSE(picture({framed}));
         Layer led = layer();
-        led.leaders = {Leader{Region{{0.1, 0.4}, {0.2, 0.6}}, {outside}}};
+        led.leaders = {Leader{PictureRegion{{0.1, 0.4}, {0.2, 0.6}}, {outside}}};
         EXPECT_FALSE(picture({led}));
     }
 }

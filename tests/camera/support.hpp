@@ -13,6 +13,7 @@
 
 #include <gtest/gtest.h>
 
+#include "balcony/camera.hpp"
 #include "balcony/catalogue.hpp"
 
 namespace balcony::camera {

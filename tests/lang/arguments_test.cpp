@@ -184,7 +184,7 @@ TEST(StageArguments, PointsAreAList) {
     EXPECT_EQ(numbers.arguments->points("at").values, (std::vector<double>{0, 0.5, 1}));
     const Read angles = read(points({1}, Unit::angle), "stage([0, 180deg])");
     EXPECT_EQ(angles.arguments->points("at").values[1], std::numbers::pi);
-    EXPECT_TRUE(read(points({2}, Unit::parameter), "stage([(1, 30deg), (2, 0)])").arguments);
+    EXPECT_TRUE(read(points({2}, Unit::either), "stage([(1, 30deg), (2, 0)])").arguments);
 }
 
 TEST(StageArguments, WrongPointsAreErrors) {
@@ -234,7 +234,7 @@ TEST(StageArguments, PointsMayComeFromATable) {
     folder.write("points.csv", "x,y\n0,1\n2,30deg\n");
     folder.write("numbers.csv", "0,0,0.5\n1,1\n");
     const Read pairs =
-        read(points({2}, Unit::parameter), "stage(\"points.csv\")", "eye", folder.path());
+        read(points({2}, Unit::either), "stage(\"points.csv\")", "eye", folder.path());
     ASSERT_TRUE(pairs.arguments) << to_text(pairs.said);
     EXPECT_EQ(pairs.arguments->points("at").values,
               (std::vector<double>{0, 1, 2, std::numbers::pi / 6}));

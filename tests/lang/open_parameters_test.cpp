@@ -125,7 +125,7 @@ TEST(StageValues, LeadToTheRay) {
     EXPECT_EQ(written(0), "map u = -1rad .. 1rad, v = -1 .. 1");
     EXPECT_EQ(written(1), "cylinder(radius)");
     EXPECT_EQ(written(3), "translate(from)");
-    EXPECT_EQ(stages[4].place, camera::StageValues::Place::look);
+    EXPECT_EQ(stages[4].owner, camera::StageValues::Owner::look);
     EXPECT_TRUE(stages[0].values[1].same(r.parameters.v));
     EXPECT_TRUE(stages[3].values[0].same(r.origin.x));
 }

@@ -31,8 +31,8 @@ camera::Picture picture_of(const std::string& text) {
 camera::Camera built_in(const std::string& name) { return *lang::make_camera(name, ""); }
 
 RayProgram compiled(const camera::Camera& camera, double width, double height,
-                    const Request& request) {
-    auto made = compile(camera, width, height, request);
+                    const CompileOptions& options) {
+    auto made = compile(camera, width, height, options);
     EXPECT_TRUE(made) << to_text(made.diagnostics);
     return *made;
 }
@@ -67,8 +67,8 @@ TEST(RayProgram, GivesTheSameRaysOverTilesAndAtPoints) {
 TEST(RayProgram, GivesTheSameRaysWithoutParameters) {
     for (const bool footprints : {false, true}) {
         const camera::Camera camera = built_in("superelliptic");
-        const Request with{.footprints = footprints, .points = true};
-        Request without = with;
+        const CompileOptions with{.footprints = footprints, .points = true};
+        CompileOptions without = with;
         without.parameters = false;
         const Ray expected = ray_at(compiled(camera, 300, 60, with), {37.5, 11.5});
         const Ray found = ray_at(compiled(camera, 300, 60, without), {37.5, 11.5});
@@ -284,7 +284,7 @@ TEST(CompiledPicture, HasARayProgramALayerAndTheirCoverages) {
 }
 
 TEST(VisibleLayers, AreHiddenByOpaqueLayersInFront) {
-    const Request at_points{.tiles = false, .points = true};
+    const CompileOptions at_points{.tiles = false, .points = true};
     const std::array x{20.0, 60.0};
     const std::array y{30.0, 30.0};
     const auto hidden_back = [&](const std::string& alpha) {

@@ -79,7 +79,7 @@ struct Bounce {
     [[nodiscard]] static V3f by_y(const Function& f) {
         return V3f((f(0.0, step) - f(0.0, -step)) / (2.0 * step));
     }
-    [[nodiscard]] Ray ray() const {
+    [[nodiscard]] DifferentialRay ray() const {
         const auto origins = [this](double x, double y) { return arriving(x, y).origin; };
         const auto directions = [this](double x, double y) { return arriving(x, y).direction; };
         return {V3f(origin),
@@ -147,7 +147,7 @@ TEST(Footprint, AfterAMirrorAndARefractionEqualsTheNeighbourDifference) {
 }
 
 TEST(Footprint, AtTotalReflectionIsThatOfTheMirror) {
-    Ray ray{{0.0F, 0.0F, 1.0F}, V3f(1.0F, 0.0F, -0.2F).normalized()};
+    DifferentialRay ray{{0.0F, 0.0F, 1.0F}, V3f(1.0F, 0.0F, -0.2F).normalized()};
     ray.differentials.direction_x = {0.0F, 0.3F, 0.0F};
     const V3f up(0.0F, 0.0F, 1.0F);
     EXPECT_EQ(after_refraction(ray, {}, up, 1.5F).direction_x,
@@ -155,7 +155,7 @@ TEST(Footprint, AtTotalReflectionIsThatOfTheMirror) {
 }
 
 TEST(Footprint, AfterARoughBounceHasTheSolidAngleOfTheLobe) {
-    Ray ray{{0.0F, 0.0F, 1.0F}, {0.0F, 0.0F, -1.0F}};
+    DifferentialRay ray{{0.0F, 0.0F, 1.0F}, {0.0F, 0.0F, -1.0F}};
     const auto solid_angle = [](const RayDifferentials& d) {
         return d.direction_x.cross(d.direction_y).length();
     };

@@ -145,7 +145,8 @@ TEST(SurfaceLanes, FootprintsAreThoseOfEachRay) {
             };
             TextureFootprint expected{V2f(texture_lanes::middle), V2f(0.0F), V2f(0.0F)};
             if ((lanes >> lane & 1U) != 0) {
-                const Ray ray{packet.origin(lane), packet.direction(lane), differentials.of(lane)};
+                const DifferentialRay ray{packet.origin(lane), packet.direction(lane),
+                                          differentials.of(lane)};
                 const Surface surface = surfaces.find(packet.hit(lane), ray.direction);
                 expected = surface.in_mesh.texture_footprint(
                     use, surface.triangle_footprint(surface.transfer(ray)));

@@ -35,7 +35,7 @@ struct Design {
 };
 
 // The sorted values of the samples that have a ray and are not singular.
-std::vector<double> sorted_values(const Report& report, double Sample::*value) {
+std::vector<double> sorted_values(const CameraReport& report, double Sample::*value) {
     std::vector<double> values;
     for (const Sample& sample : report.samples) {
         if (sample.valid && !sample.singular) {
@@ -47,7 +47,7 @@ std::vector<double> sorted_values(const Report& report, double Sample::*value) {
 }
 
 // Excludes outliers at both ends, which would occupy most of the colour scale.
-Design scaled(const Report& report, std::string title, double Sample::*value,
+Design scaled(const CameraReport& report, std::string title, double Sample::*value,
               ColorScale::Spacing spacing) {
     constexpr std::size_t hundredth = 100;
     const std::vector<double> values = sorted_values(report, value);
@@ -69,7 +69,7 @@ Design scaled(const Report& report, std::string title, double Sample::*value,
             {{no_ray_color, "no ray"}, {singular_color, "singular"}}};
 }
 
-Design magnification(const Report& report) {
+Design magnification(const CameraReport& report) {
     return scaled(report,
                   report.distance ? fmt::format("magnification: pixels per unit at distance {:.4g}",
                                                 *report.distance)
@@ -77,17 +77,17 @@ Design magnification(const Report& report) {
                   &Sample::magnification, ColorScale::Spacing::logarithmic);
 }
 
-Design anisotropy(const Report& report) {
+Design anisotropy(const CameraReport& report) {
     return scaled(report, "anisotropy: ratio of largest to smallest magnification",
                   &Sample::anisotropy, ColorScale::Spacing::logarithmic);
 }
 
-Design origins(const Report& report) {
+Design origins(const CameraReport& report) {
     return scaled(report, "distance of the ray origins from their centre", &Sample::origin_distance,
                   ColorScale::Spacing::linear);
 }
 
-Design orientation(const Report&) {
+Design orientation(const CameraReport&) {
     static constexpr Color right{49, 104, 142};
     static constexpr Color mirrored{240, 150, 40};
     return {"orientation",
@@ -104,7 +104,7 @@ Design orientation(const Report&) {
              {no_ray_color, "no ray"}}};
 }
 
-Design validity(const Report&) {
+Design validity(const CameraReport&) {
     static constexpr Color valid{53, 183, 121};
     return {"validity",
             [](const Sample& sample) { return sample.valid ? valid : no_ray_color; },
@@ -112,7 +112,7 @@ Design validity(const Report&) {
             {{valid, "ray"}, {no_ray_color, "no ray"}}};
 }
 
-Design seams(const Report&) {
+Design seams(const CameraReport&) {
     static constexpr Color smooth{205, 215, 225};
     static constexpr Color seam{190, 20, 20};
     return {"seams",
@@ -123,7 +123,7 @@ Design seams(const Report&) {
             {{smooth, "smooth"}, {seam, "rays jump"}, {no_ray_color, "no ray"}}};
 }
 
-Design repeated(const Report& report) {
+Design repeated(const CameraReport& report) {
     int maximum = 1;
     for (const Sample& sample : report.samples) {
         maximum = std::max(maximum, int{sample.views});
@@ -147,7 +147,7 @@ Design repeated(const Report& report) {
     return design;
 }
 
-Design design_of(const Report& report, MapKind kind) {
+Design design_of(const CameraReport& report, MapKind kind) {
     switch (kind) {
         case MapKind::magnification: return magnification(report);
         case MapKind::anisotropy: return anisotropy(report);
@@ -161,7 +161,7 @@ Design design_of(const Report& report, MapKind kind) {
 }
 
 // The legend omits colours that the map does not use.
-void leave_out_unused(const Report& report, Design& design) {
+void leave_out_unused(const CameraReport& report, Design& design) {
     std::erase_if(design.swatches, [&](const Swatch& swatch) {
         return std::none_of(
             report.samples.begin(), report.samples.end(),
@@ -244,7 +244,7 @@ Names<MapKind> map_kinds() {
     return Names<MapKind>(rows);
 }
 
-Image false_color(const Report& report, MapKind kind) {
+Image false_color(const CameraReport& report, MapKind kind) {
     constexpr std::size_t min_width = 800;
     constexpr std::size_t max_side = 8192;
     Design design = design_of(report, kind);

@@ -18,7 +18,7 @@ enum class FoldCause : std::uint8_t {
     object,       ///< None of these, hence the objects or the rule.
 };
 
-/// Leaves out one kind of stages after the other. The distance is that of a Report.
+/// Leaves out one kind of stages after the other. The distance is that of a CameraReport.
 [[nodiscard]] FoldCause cause_of_fold(const camera::Camera& camera, double width, double height,
                                       double time, const std::optional<double>& distance,
                                       const Work& work);

@@ -39,7 +39,7 @@ Imath::Box3d box_of_origins(const std::vector<Ray>& rays) {
 }
 
 void measure_origins(const std::vector<Ray>& rays, const DiagnoseSettings& settings,
-                     Report& report) {
+                     CameraReport& report) {
     const Imath::Box3d box = box_of_origins(rays);
     if (!box.isEmpty()) {
         const double size = std::max(box.min.length(), box.max.length());
@@ -71,7 +71,7 @@ void measure(const Ray& ray, const std::optional<double>& distance, Sample& samp
     }
 }
 
-std::optional<Statistics> statistics(const Report& report, const std::vector<Ray>& rays,
+std::optional<Statistics> statistics(const CameraReport& report, const std::vector<Ray>& rays,
                                      double Sample::*value) {
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < report.samples.size(); ++i) {
@@ -99,14 +99,14 @@ std::optional<Statistics> statistics(const Report& report, const std::vector<Ray
 
 }  // namespace
 
-bool Report::has_defects() const {
+bool CameraReport::has_defects() const {
     return std::any_of(findings.begin(), findings.end(), [](const Finding& f) { return f.defect; });
 }
 
 namespace {
 
-Result<Report> report_of(const camera::Camera& camera, const DiagnoseSettings& settings,
-                         const Work& work) {
+Result<CameraReport> report_of(const camera::Camera& camera, const DiagnoseSettings& settings,
+                               const Work& work) {
     using Derivatives = RayField::Derivatives;
     Result<RayField> with_derivatives = RayField::make(camera, settings.width, settings.height,
                                                        settings.time, Derivatives::with, work);
@@ -115,7 +115,7 @@ Result<Report> report_of(const camera::Camera& camera, const DiagnoseSettings& s
     if (!with_derivatives || !without) {
         return with_derivatives ? without.diagnostics : with_derivatives.diagnostics;
     }
-    Report report;
+    CameraReport report;
     report.camera = camera.name();
     report.grid = choose_grid(settings);
     work.done(0.1);
@@ -160,8 +160,8 @@ Result<Report> report_of(const camera::Camera& camera, const DiagnoseSettings& s
 
 }  // namespace
 
-Result<Report> diagnose(const camera::Camera& camera, const DiagnoseSettings& settings,
-                        const PartDone& progress, std::stop_token stop) {
+Result<CameraReport> diagnose(const camera::Camera& camera, const DiagnoseSettings& settings,
+                              const PartDone& progress, std::stop_token stop) {
     return unless_stopped(
         [&] { return report_of(camera, settings, Work(progress, std::move(stop))); });
 }

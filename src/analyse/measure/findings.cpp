@@ -75,21 +75,21 @@ private:
         return static_cast<double>(samples) / static_cast<double>(grid_.size());
     }
 
-    [[nodiscard]] std::vector<Region> regions(const SampleTest& inside) const {
+    [[nodiscard]] std::vector<SampleRegion> regions(const SampleTest& inside) const {
         return find_regions(grid_, inside, [this](std::size_t a, std::size_t b) {
             return !cuts_.contains({std::min(a, b), std::max(a, b)});
         });
     }
 
-    [[nodiscard]] double share(const std::vector<Region>& regions) const {
+    [[nodiscard]] double share(const std::vector<SampleRegion>& regions) const {
         std::size_t samples = 0;
-        for (const Region& region : regions) {
+        for (const SampleRegion& region : regions) {
             samples += region.samples.size();
         }
         return share(samples);
     }
 
-    Finding& add(FindingKind kind, const std::vector<Region>& regions) {
+    Finding& add(FindingKind kind, const std::vector<SampleRegion>& regions) {
         Finding finding;
         finding.kind = kind;
         finding.count = regions.size();
@@ -142,7 +142,7 @@ private:
 
     // Whether the orientation changes somewhere at the border of a region: at the
     // very next sample, or at the one after if the next is singular.
-    [[nodiscard]] std::optional<std::size_t> turn_at(const Region& region) const {
+    [[nodiscard]] std::optional<std::size_t> turn_at(const SampleRegion& region) const {
         const int own = report_.samples[region.samples.front()].orientation;
         for (const std::size_t sample : region.samples) {
             for (const std::size_t next : neighbours(grid_, sample)) {
@@ -165,10 +165,10 @@ private:
     void find_orientation() {
         const bool mostly_mirrored = count_orientation(-1) > count_orientation(1);
         const int minority = mostly_mirrored ? 1 : -1;
-        std::vector<Region> folded;
-        std::vector<Region> parts;
+        std::vector<SampleRegion> folded;
+        std::vector<SampleRegion> parts;
         std::optional<std::size_t> across;
-        for (Region& region :
+        for (SampleRegion& region :
              regions([&](std::size_t i) { return report_.samples[i].orientation == minority; })) {
             if (region.samples.size() < fewest_samples) {
                 continue;
@@ -365,7 +365,7 @@ private:
     }
 
     const Evidence& evidence_;
-    const Report& report_;
+    const CameraReport& report_;
     const SampleGrid& grid_;
     std::set<std::pair<std::size_t, std::size_t>> cuts_;
     std::vector<Finding> found_;

@@ -17,7 +17,7 @@ namespace balcony::analyse {
 struct Evidence {
     const camera::Camera& camera;
     double time;
-    const Report& report;
+    const CameraReport& report;
     const std::vector<Ray>& rays;
     const std::vector<Crossing>& crossings;
     const Repeats& repeats;

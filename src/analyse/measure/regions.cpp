@@ -39,15 +39,15 @@ std::vector<std::size_t> neighbours(const SampleGrid& grid, std::size_t sample) 
     return found;
 }
 
-std::vector<Region> find_regions(const SampleGrid& grid, const SampleTest& inside,
-                                 const PairTest& connected) {
-    std::vector<Region> regions;
+std::vector<SampleRegion> find_regions(const SampleGrid& grid, const SampleTest& inside,
+                                       const PairTest& connected) {
+    std::vector<SampleRegion> regions;
     std::vector<bool> known(grid.size(), false);
     for (std::size_t start = 0; start < grid.size(); ++start) {
         if (known[start] || !inside(start)) {
             continue;
         }
-        Region region{{start}, start};
+        SampleRegion region{{start}, start};
         known[start] = true;
         for (std::size_t next = 0; next < region.samples.size(); ++next) {
             const std::size_t sample = region.samples[next];
@@ -62,9 +62,10 @@ std::vector<Region> find_regions(const SampleGrid& grid, const SampleTest& insid
         region.middle = middle_of(grid, region.samples);
         regions.push_back(std::move(region));
     }
-    std::stable_sort(regions.begin(), regions.end(), [](const Region& a, const Region& b) {
-        return a.samples.size() > b.samples.size();
-    });
+    std::stable_sort(regions.begin(), regions.end(),
+                     [](const SampleRegion& a, const SampleRegion& b) {
+                         return a.samples.size() > b.samples.size();
+                     });
     return regions;
 }
 

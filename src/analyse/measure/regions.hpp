@@ -13,7 +13,7 @@
 namespace balcony::analyse {
 
 /// Samples connected through their four neighbours.
-struct Region {
+struct SampleRegion {
     std::vector<std::size_t> samples;  ///< Row by row.
     std::size_t middle = 0;            ///< The sample nearest to the mean position.
 };
@@ -23,8 +23,9 @@ using SampleTest = std::function<bool(std::size_t)>;
 using PairTest = std::function<bool(std::size_t, std::size_t)>;
 
 /// The largest first.
-[[nodiscard]] std::vector<Region> find_regions(const SampleGrid& grid, const SampleTest& inside,
-                                               const PairTest& connected);
+[[nodiscard]] std::vector<SampleRegion> find_regions(const SampleGrid& grid,
+                                                     const SampleTest& inside,
+                                                     const PairTest& connected);
 
 /// The up to four neighbours of a sample.
 [[nodiscard]] std::vector<std::size_t> neighbours(const SampleGrid& grid, std::size_t sample);

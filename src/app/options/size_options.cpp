@@ -17,7 +17,7 @@ Value<std::size_t> side() {
 }
 
 // WIDTH or WIDTHxHEIGHT.
-void read_both(const std::string& name, std::string_view word, PictureSize& size,
+void read_both(const std::string& name, std::string_view word, SizeRequest& size,
                Diagnostics& found) {
     const std::size_t cross = word.find_first_of("xX");
     const bool has_height = cross != std::string_view::npos;
@@ -34,23 +34,23 @@ void read_both(const std::string& name, std::string_view word, PictureSize& size
 
 }  // namespace
 
-Option<PictureSize> size_option(OptionInfo info) {
+Option<SizeRequest> size_option(OptionInfo info) {
     info.type = OptionType::size;
     info.unit = "px";
-    return custom_option<PictureSize>(
+    return custom_option<SizeRequest>(
         info,
-        [name = info.name](auto words, PictureSize& size, Diagnostics& found) {
+        [name = info.name](auto words, SizeRequest& size, Diagnostics& found) {
             read_both(name, words.back(), size, found);
         },
-        [](const PictureSize& size) {
+        [](const SizeRequest& size) {
             return !size.width    ? std::vector<std::string>{}
                    : !size.height ? std::vector{fmt::format("{}", *size.width)}
                                   : std::vector{fmt::format("{}x{}", *size.width, *size.height)};
         });
 }
 
-Options<PictureSize> size_options(const std::string& meaning) {
-    const auto exclusion = [](PictureSize&, const GivenWords& given, Diagnostics& found) {
+Options<SizeRequest> size_options(const std::string& meaning) {
+    const auto exclusion = [](SizeRequest&, const GivenWords& given, Diagnostics& found) {
         if (given.contains("--size") && (given.contains("--width") || given.contains("--height"))) {
             found.push_back(error(Kind::usage, "--size and --width or --height exclude each other",
                                   "write --size 1920x1080, or --width 1920 --height 1080"));
@@ -61,16 +61,16 @@ Options<PictureSize> size_options(const std::string& meaning) {
                      .letter = "-W",
                      .placeholder = "PIXELS",
                      .meaning = "width in pixels; alone, as --size WIDTH"},
-                    maybe(side()), &PictureSize::width),
+                    maybe(side()), &SizeRequest::width),
              option({.name = "--height",
                      .letter = "-H",
                      .placeholder = "PIXELS",
                      .meaning = "height in pixels; alone, the width follows from the aspect ratio"},
-                    maybe(side()), &PictureSize::height)},
+                    maybe(side()), &SizeRequest::height)},
             {exclusion}};
 }
 
-Options<PictureSize> aspect_options() {
+Options<SizeRequest> aspect_options() {
     Value<camera::Fit> fit = choice(camera::fits());
     fit.remedy = [](std::string_view word) {
         return suggestion(word, camera::fits().all(), "the choices are");
@@ -81,7 +81,7 @@ Options<PictureSize> aspect_options() {
                          "what the picture does in a size of another aspect ratio: {}; a camera "
                          "with 'square' in its map shows more or less instead",
                          described(fit.info.choices, ", "))},
-                    fit, &PictureSize::fit)}};
+                    fit, &SizeRequest::fit)}};
 }
 
 }  // namespace balcony::app

@@ -105,7 +105,7 @@ CameraCheck::InScene in_scene(const scene::Scene& scene, const render::Probe& pr
     return found;
 }
 
-Diagnostics write_map(const analyse::Report& report, const MapFile& map) {
+Diagnostics write_map(const analyse::CameraReport& report, const MapFile& map) {
     // Check before computing a large picture that cannot be written.
     if (Diagnostics refused = OutputFile::check(map.file); has_errors(refused)) {
         return refused;
@@ -212,7 +212,8 @@ private:
         settings.height = subject.height;
         settings.time = request_.time;
         settings.distance = request_.distance;
-        Result<analyse::Report> report = analyse::diagnose(subject.camera, settings, {}, stop_);
+        Result<analyse::CameraReport> report =
+            analyse::diagnose(subject.camera, settings, {}, stop_);
         if (report && scene_distance_ && !settings.distance && !report->single_viewpoint) {
             settings.distance = scene_distance_;
             report = analyse::diagnose(subject.camera, settings, {}, stop_);

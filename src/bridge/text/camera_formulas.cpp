@@ -23,27 +23,27 @@ struct Role {
     std::string_view port;
 };
 
-Role role_of(StageValues::Place place, bool point, bool first) {
-    if (place == StageValues::Place::look) {
+Role role_of(StageValues::Owner owner, bool point, bool first) {
+    if (owner == StageValues::Owner::look) {
         return {"look", "direction rule"};
     }
     if (!point) {
         return first ? Role{"map", "picture mapper"} : Role{"warp", "parameter transformer"};
     }
-    const bool eye = place == StageValues::Place::eye;
+    const bool eye = owner == StageValues::Owner::eye;
     return first ? Role{eye ? "eye" : "toward", "object generator"}
                  : Role{"move", "object transformer"};
 }
 
 // u and v, eye_x, toward_u, look_z, ...; from the second stage on with its number.
-std::vector<std::string> names_of(StageValues::Place place, std::size_t count, std::size_t number) {
+std::vector<std::string> names_of(StageValues::Owner owner, std::size_t count, std::size_t number) {
     static constexpr std::array parameters{"u", "v"};
     static constexpr std::array coordinates{"x", "y", "z"};
     std::vector<std::string> names;
     for (std::size_t i = 0; i < count; ++i) {
         const char* axis = count == 2 ? parameters[i] : coordinates[i];
-        std::string name = place == StageValues::Place::look     ? fmt::format("look_{}", axis)
-                           : place == StageValues::Place::toward ? fmt::format("toward_{}", axis)
+        std::string name = owner == StageValues::Owner::look     ? fmt::format("look_{}", axis)
+                           : owner == StageValues::Owner::toward ? fmt::format("toward_{}", axis)
                            : count == 2                          ? axis
                                                                  : fmt::format("eye_{}", axis);
         names.push_back(number == 1 ? name : fmt::format("{}_{}", name, number));
@@ -57,12 +57,12 @@ std::vector<StageFormulas> named_stages(const camera::Camera& camera,
     for (std::size_t i = 0; i < stages.size(); ++i) {
         const StageValues& stage = stages[i];
         const auto same = [&](const StageValues& other) {
-            return other.place == stage.place && other.values.size() == stage.values.size();
+            return other.owner == stage.owner && other.values.size() == stage.values.size();
         };
         const auto number = static_cast<std::size_t>(
             1 +
             std::count_if(stages.begin(), stages.begin() + static_cast<std::ptrdiff_t>(i), same));
-        const Role role = role_of(stage.place, stage.values.size() == 3, number == 1);
+        const Role role = role_of(stage.owner, stage.values.size() == 3, number == 1);
         const auto& written = camera.parts().written;
         const auto found = written.find(stage.stage);
         std::string text = fmt::format("{} ({})", role.statement, role.port);
@@ -72,7 +72,7 @@ std::vector<StageFormulas> named_stages(const camera::Camera& camera,
                        : fmt::format("{} {}", role.statement, found->second);
         }
         made.push_back({fmt::format("the {}", role.port), text, stage.values,
-                        names_of(stage.place, stage.values.size(), number)});
+                        names_of(stage.owner, stage.values.size(), number)});
     }
     return made;
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "balcony/camera.hpp"
+#include "balcony/stages.hpp"
 
 namespace balcony::camera {
 

@@ -88,7 +88,7 @@ Result<std::shared_ptr<const Stage>> make_from_file(const Arguments& a, const st
     std::vector<NamedValue> values{{"radius", Quantity(a.number("radius"))},
                                    {"origin", calibration.origin}};
     for (const Calibration::Number& number : calibration.numbers) {
-        values.push_back({number.name, Quantity(number.value, Dimension::either)});
+        values.push_back({number.name, Quantity(number.value, Unit::either)});
     }
     const std::vector<std::string_view> names = coefficient_names(model);
     if (calibration.distortion.size() > names.size()) {
@@ -97,7 +97,7 @@ Result<std::shared_ptr<const Stage>> make_from_file(const Arguments& a, const st
                      {}, "check that it is the calibration of a fisheye lens");
     }
     for (std::size_t i = 0; i < calibration.distortion.size(); ++i) {
-        values.push_back({names[i], Quantity(calibration.distortion[i], Dimension::either)});
+        values.push_back({names[i], Quantity(calibration.distortion[i], Unit::either)});
     }
     Result<std::shared_ptr<const Stage>> made = make_stage(*row, values);
     if (!made || a.choice("pose") == "standard") {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "balcony/camera.hpp"
+#include "balcony/emitter.hpp"
 #include "camera/calibrated/distortion.hpp"
 
 namespace balcony::camera {

@@ -20,12 +20,12 @@ namespace {
 
 // A result of a formula for its unit: a number only if it is known, since 0 has every unit.
 Quantity result_of(const FormulaValue& value, std::size_t i) {
-    return {Scalar(value.formula.constant(i).value_or(1.0)), value.dimensions[i]};
+    return {Scalar(value.formula.constant(i).value_or(1.0)), value.units[i]};
 }
 
 // Dimensions that are told of results that there are.
 std::size_t known_results(const FormulaValue& value) {
-    return std::min(value.dimensions.size(), value.formula.result_count());
+    return std::min(value.units.size(), value.formula.result_count());
 }
 
 }  // namespace
@@ -66,10 +66,10 @@ Binding Binder::run() {
         bind_parameters();
     }
     Binding made;
-    if (findings_.empty() && !any_failed_) {
+    if (errors_.empty() && !any_failed_) {
         made.arguments = std::move(arguments_);
     }
-    made.findings = std::move(findings_);
+    made.errors = std::move(errors_);
     return made;
 }
 
@@ -96,7 +96,7 @@ void Binder::bind_parameters() {
             report(Kind::given_twice, fmt::format("'{}' is given twice", name),
                    fmt::format("remove one; positional arguments have the order of {}",
                                signature(row_)));
-            findings_.back().earlier = slot;
+            errors_.back().earlier = slot;
         } else {
             slot = at_;
         }
@@ -135,7 +135,7 @@ void Binder::set_default() {
         return known;
     };
     // An error in another value may be the reason why this one seems to be missing.
-    if (!std::visit(number, parameter_->type) && !parameter_->optional && findings_.empty() &&
+    if (!std::visit(number, parameter_->type) && !parameter_->optional && errors_.empty() &&
         !any_failed_) {
         report(Kind::missing,
                fmt::format("'{}' needs its argument '{}' ({})", row_.name, parameter_->name,
@@ -145,8 +145,8 @@ void Binder::set_default() {
 }
 
 void Binder::report(Kind kind, std::string message, std::string remedy) {
-    if (findings_.size() < max_findings) {
-        findings_.push_back(
+    if (errors_.size() < max_errors) {
+        errors_.push_back(
             {kind, error(std::move(message), {}, std::move(remedy)), at_, element_, std::nullopt});
     }
 }
@@ -263,12 +263,12 @@ void Binder::set(const FormulaParameter& type) {
         report(Kind::wrong_form, fmt::format("{} takes a formula", what()),
                fmt::format("the syntax is {}", signature(parameter_->name, type.shape)));
     } else if (has_shape(parameter_->name, type.shape, *value)) {
-        const std::size_t findings_before = findings_.size();
+        const std::size_t errors_before = errors_.size();
         for (std::size_t i = 0; i < known_results(*value); ++i) {
             element_ = {i};
             (void)fits(result_of(*value, i), Unit::number, false);
         }
-        if (findings_.size() == findings_before) {
+        if (errors_.size() == errors_before) {
             arguments_.set(parameter_->name, value->formula);
         }
     }
@@ -335,17 +335,17 @@ void Binder::set(const CalibrationParameter&) {
 }
 
 Quantity degrees(double number) {
-    return {Scalar(number * (std::numbers::pi / 180.0)), Dimension::angle};
+    return {Scalar(number * (std::numbers::pi / 180.0)), Unit::angle};
 }
 
-Quantity radians(double number) { return {Scalar(number), Dimension::angle}; }
+Quantity radians(double number) { return {Scalar(number), Unit::angle}; }
 
 Binding bind(const StageEntry& row, std::span<const NamedValue> values) {
     try {
         return Binder(row, values).run();
     } catch (const expr::GraphTooLarge&) {
         return {std::nullopt,
-                {{Finding::Kind::out_of_range,
+                {{ArgumentError::Kind::out_of_range,
                   error(fmt::format("the formulas given for '{}' are too large", row.name), {},
                         "give it shorter ones")}}};
     }

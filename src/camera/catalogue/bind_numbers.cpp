@@ -20,13 +20,13 @@ constexpr std::size_t max_points = 65536;
 constexpr double max_coordinate = 1e30;
 
 bool is_plain_number(const Quantity& given) {
-    return given.dimension == Dimension::number && given.value.constant() != 0.0;
+    return given.unit == Unit::number && given.value.constant() != 0.0;
 }
 
 }  // namespace
 
 bool is_angle(const Quantity& given) {
-    return given.dimension == Dimension::angle && given.value.constant() != 0.0;
+    return given.unit == Unit::angle && given.value.constant() != 0.0;
 }
 
 void Binder::set(const NumberParameter& type) {
@@ -183,13 +183,13 @@ void Binder::set(const PointsParameter& type) {
     if (!enough_points(type, list->size())) {
         return;
     }
-    const std::size_t findings_before = findings_.size();
+    const std::size_t errors_before = errors_.size();
     PointList made;
-    for (std::size_t i = 0; i < list->size() && findings_.size() < max_findings; ++i) {
+    for (std::size_t i = 0; i < list->size() && errors_.size() < max_errors; ++i) {
         element_ = {i};
         add_point(type, (*list)[i], made);
     }
-    if (findings_.size() == findings_before) {
+    if (errors_.size() == errors_before) {
         arguments_.set(parameter_->name, std::move(made));
     }
 }

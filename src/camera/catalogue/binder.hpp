@@ -23,7 +23,7 @@ struct NumberRules {
     std::optional<double> default_value{};  // Of a parameter that is one number.
 };
 
-/// Checks the values for one stage against its row and collects the findings.
+/// Checks the values for one stage against its row and collects the errors.
 class Binder {
 public:
     Binder(const StageEntry& row, std::span<const NamedValue> values)
@@ -32,9 +32,9 @@ public:
     [[nodiscard]] Binding run();
 
 private:
-    using Kind = Finding::Kind;
-    /// More findings about one stage help nobody.
-    static constexpr std::size_t max_findings = 64;
+    using Kind = ArgumentError::Kind;
+    /// More errors about one stage help nobody.
+    static constexpr std::size_t max_errors = 64;
 
     /// The value that is being judged, if it has this form.
     template <class Form>
@@ -92,7 +92,7 @@ private:
     std::span<const NamedValue> given_;
     const bool any_failed_;
     Arguments arguments_;
-    std::vector<Finding> findings_;
+    std::vector<ArgumentError> errors_;
     // The value that is being checked.
     const StageParameter* parameter_ = nullptr;
     std::optional<std::size_t> at_;

@@ -56,8 +56,8 @@ StageResult make_stage(const StageEntry& row, std::span<const NamedValue> values
         return make_stage(row, *bound.arguments);
     }
     Diagnostics found;
-    for (Finding& finding : bound.findings) {
-        found.push_back(std::move(finding.diagnostic));
+    for (ArgumentError& one : bound.errors) {
+        found.push_back(std::move(one.diagnostic));
     }
     if (found.empty()) {
         found.push_back(error(fmt::format("a value for '{}' has failed", row.name)));

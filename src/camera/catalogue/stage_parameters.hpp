@@ -58,7 +58,7 @@ inline StageParameter positive_parameter(std::string_view name, double value,
 inline StageParameter pair_parameter(std::string_view name, std::array<double, 2> value,
                                      std::string_view meaning) {
     return {.name = name,
-            .type = PairParameter{.unit = Unit::parameter, .default_value = value},
+            .type = PairParameter{.unit = Unit::either, .default_value = value},
             .meaning = meaning};
 }
 

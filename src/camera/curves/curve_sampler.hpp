@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "balcony/camera.hpp"
+#include "balcony/stages.hpp"
 
 namespace balcony::camera {
 

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "balcony/camera.hpp"
+#include "balcony/stages.hpp"
 #include "camera/curves/curve_sampler.hpp"
 #include "camera/curves/spline_tables.hpp"
 #include "camera/tables/cell_position.hpp"

@@ -7,7 +7,7 @@
 #include <array>
 #include <span>
 
-#include "balcony/camera.hpp"
+#include "balcony/stages.hpp"
 
 namespace balcony::camera {
 

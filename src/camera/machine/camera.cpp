@@ -186,12 +186,12 @@ RayExpressions ray_in_own_picture(const Camera::Parts& parts, const PicturePoint
         const std::size_t of_eye = emit.stages().size();
         toward = parts.toward->emit(picture, emit);
         for (StageValues& stage : std::span(emit.stages()).subspan(of_eye)) {
-            stage.place = StageValues::Place::toward;
+            stage.owner = StageValues::Owner::toward;
         }
     }
     const ObjectVector direction = parts.look->direction(eye, toward ? &*toward : nullptr, emit);
     emit.record(
-        {parts.look.get(), StageValues::Place::look, {direction.x, direction.y, direction.z}});
+        {parts.look.get(), StageValues::Owner::look, {direction.x, direction.y, direction.z}});
 
     constexpr double min_squared_length = 0x1p-960;
     const Expr squared_length = dot(direction, direction);

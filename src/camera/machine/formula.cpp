@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-#include "balcony/camera.hpp"
+#include "balcony/formula.hpp"
 
 #include <algorithm>
 #include <cmath>

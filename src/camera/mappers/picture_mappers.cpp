@@ -63,7 +63,7 @@ private:
 };
 
 StageParameter edge(std::string_view name, std::string_view meaning) {
-    return {.name = name, .type = NumberParameter{.unit = Unit::parameter}, .meaning = meaning};
+    return {.name = name, .type = NumberParameter{.unit = Unit::either}, .meaning = meaning};
 }
 
 }  // namespace

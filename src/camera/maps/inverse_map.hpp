@@ -10,7 +10,7 @@
 #include <numbers>
 #include <optional>
 
-#include "balcony/camera.hpp"
+#include "balcony/emitter.hpp"
 #include "camera/maps/definition.hpp"
 #include "camera/maps/proj_map.hpp"
 

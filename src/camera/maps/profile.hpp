@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-#include "balcony/camera.hpp"
+#include "balcony/emitter.hpp"
 
 namespace balcony::camera::maps {
 

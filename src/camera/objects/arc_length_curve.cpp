@@ -108,11 +108,11 @@ p = c(w)      c = curve,   0 ≤ u ≤ 1
              {curve_parameter("curve", "the curve; it cannot change with time"),
               {.name = "from",
                .type =
-                   NumberParameter{.unit = Unit::parameter, .default_value = 0.0, .constant = true},
+                   NumberParameter{.unit = Unit::either, .default_value = 0.0, .constant = true},
                .meaning = "the curve's own parameter at u = 0"},
               {.name = "to",
                .type =
-                   NumberParameter{.unit = Unit::parameter, .default_value = 1.0, .constant = true},
+                   NumberParameter{.unit = Unit::either, .default_value = 1.0, .constant = true},
                .meaning = "the curve's own parameter at u = 1; if the curve is closed there, it is "
                           "periodic"}},
          .make = make_arc_length,

@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "balcony/camera.hpp"
+#include "balcony/spaces.hpp"
 
 namespace balcony::camera {
 

@@ -76,13 +76,13 @@ Expr in_unit_interval(Expr t) {
 
 class ParallelogramTarget final : public RayTarget {
 public:
-    using Vector = std::array<double, 3>;
-    ParallelogramTarget(const Vector& corner, const Vector& along_u, const Vector& along_v)
+    using Vector3 = std::array<double, 3>;
+    ParallelogramTarget(const Vector3& corner, const Vector3& along_u, const Vector3& along_v)
         : corner_(corner), along_u_(along_u), along_v_(along_v) {}
     // The point is corner + p along_u + q along_v.
     Distance distance(const ObjectPoint& from, const ObjectVector& direction, Which,
                       Emitter& emit) const override {
-        const auto vector = [&emit](const Vector& a) {
+        const auto vector = [&emit](const Vector3& a) {
             return ObjectVector{emit(a[0]), emit(a[1]), emit(a[2])};
         };
         const ObjectVector along_u = vector(along_u_);
@@ -98,7 +98,7 @@ public:
     }
 
 private:
-    Vector corner_, along_u_, along_v_;
+    Vector3 corner_, along_u_, along_v_;
 };
 
 class PanelsTarget final : public RayTarget {

@@ -140,11 +140,11 @@ arc_length(curve) they are even in length.
               curve_parameter("path", "the path; it cannot change with time"),
               {.name = "from",
                .type =
-                   NumberParameter{.unit = Unit::parameter, .default_value = 0.0, .constant = true},
+                   NumberParameter{.unit = Unit::either, .default_value = 0.0, .constant = true},
                .meaning = "the path's parameter at the start"},
               {.name = "to",
                .type =
-                   NumberParameter{.unit = Unit::parameter, .default_value = 1.0, .constant = true},
+                   NumberParameter{.unit = Unit::either, .default_value = 1.0, .constant = true},
                .meaning =
                    "the path's parameter at the end; a path that is closed there is periodic"},
               {.name = "twist",

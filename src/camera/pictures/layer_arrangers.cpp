@@ -18,7 +18,7 @@ using NestedPicture = std::shared_ptr<const Picture>;
 /// aspect is that of a region of a picture with `aspect`.
 class Fitting final : public PictureArranger {
 public:
-    Fitting(Fit fit, double aspect, Region region)
+    Fitting(Fit fit, double aspect, PictureRegion region)
         : fit_(fit), aspect_(aspect), region_(std::move(region)) {}
 
     PicturePoint arrange(const PicturePoint& picture, Emitter& emit) const override {
@@ -42,13 +42,13 @@ private:
 
     Fit fit_;
     double aspect_;
-    Region region_;
+    PictureRegion region_;
 };
 
 /// A region of a picture as a whole.
 class Cropping final : public PictureArranger {
 public:
-    explicit Cropping(Region region) : region_(std::move(region)) {}
+    explicit Cropping(PictureRegion region) : region_(std::move(region)) {}
 
     PicturePoint arrange(const PicturePoint& picture, Emitter& emit) const override {
         const auto& [point, size] = picture;
@@ -60,7 +60,7 @@ public:
     }
 
 private:
-    Region region_;
+    PictureRegion region_;
 };
 
 constexpr std::array fit_rows = {
@@ -121,8 +121,8 @@ std::optional<std::size_t> source_of(const Picture::Parts& parts, std::size_t la
     return std::nullopt;
 }
 
-Region shown_region(const Layer& layer) {
-    return layer.show.value_or(Region{{0.0, 0.0}, {1.0, 1.0}});
+PictureRegion shown_region(const Layer& layer) {
+    return layer.show.value_or(PictureRegion{{0.0, 0.0}, {1.0, 1.0}});
 }
 
 PictureArrangerPointer fitting_of(const Picture& picture) {
@@ -133,7 +133,7 @@ PictureArrangerPointer fitting_of(const Picture& picture) {
 }
 
 PictureArrangerPointer fitting(Fit fit, double aspect) {
-    return std::make_shared<const Fitting>(fit, aspect, Region{{0.0, 0.0}, {1.0, 1.0}});
+    return std::make_shared<const Fitting>(fit, aspect, PictureRegion{{0.0, 0.0}, {1.0, 1.0}});
 }
 
 LayerArrangers arrangers_of(const Picture::Parts& parts, std::size_t index) {

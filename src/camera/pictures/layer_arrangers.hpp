@@ -28,6 +28,6 @@ struct LayerArrangers {
 [[nodiscard]] PictureArrangerPointer fitting(Fit fit, double aspect);
 
 /// The region of its own picture that a layer shows.
-[[nodiscard]] Region shown_region(const Layer& layer);
+[[nodiscard]] PictureRegion shown_region(const Layer& layer);
 
 }  // namespace balcony::camera

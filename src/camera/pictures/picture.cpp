@@ -62,7 +62,7 @@ void check_stroke(const Stroke& stroke, const std::string& layer, Diagnostics& d
     }
 }
 
-void check_region(const Region& region, const std::string& layer, Diagnostics& diagnostics) {
+void check_region(const PictureRegion& region, const std::string& layer, Diagnostics& diagnostics) {
     for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
         const auto first = region.from[i].constant();
         const auto last = region.to[i].constant();
@@ -284,7 +284,7 @@ private:
     }
 
     // The smallest upright rectangle around a region of an arranged picture.
-    static Corners corners_of(const Region& region, const PictureSize& whole,
+    static Corners corners_of(const PictureRegion& region, const PictureSize& whole,
                               const std::vector<PictureArrangerPointer>& arrangers, Emitter& emit) {
         std::optional<Corners> all;
         for (const Corner& corner : corners) {

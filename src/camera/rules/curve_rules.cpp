@@ -34,8 +34,8 @@ private:
 /// centre of curvature. A straight piece has neither.
 class FrenetRule final : public DirectionRule {
 public:
-    enum class Vector : std::uint8_t { binormal, principal_normal };
-    FrenetRule(Vector vector, bool backward) : vector_(vector), backward_(backward) {}
+    enum class FrameVector : std::uint8_t { binormal, principal_normal };
+    FrenetRule(FrameVector vector, bool backward) : vector_(vector), backward_(backward) {}
     int min_eye_dimension() const override { return 1; }
     bool needs_second_derivative() const override { return true; }
     ObjectVector direction(const PathPoint& eye, const PathPoint*, Emitter& emit) const override {
@@ -45,12 +45,13 @@ public:
         constexpr double rounding = 1e-24;
         emit.require(rounding * (dot(first, first) * dot(second, second)) <
                      dot(binormal, binormal));
-        const ObjectVector vector = vector_ == Vector::binormal ? binormal : cross(binormal, first);
+        const ObjectVector vector =
+            vector_ == FrameVector::binormal ? binormal : cross(binormal, first);
         return backward_ ? -vector : vector;
     }
 
 private:
-    Vector vector_;
+    FrameVector vector_;
     bool backward_;
 };
 
@@ -68,7 +69,7 @@ Result<std::shared_ptr<const Stage>> make_sideways_rule(const Arguments& a) {
     return made<SidewaysRule>(a.choice("side") == "right", up);
 }
 
-template <FrenetRule::Vector vector>
+template <FrenetRule::FrameVector vector>
 Result<std::shared_ptr<const Stage>> make_frenet_rule(const Arguments& a) {
     return made<FrenetRule>(vector, a.choice("sense") == "backward");
 }
@@ -113,7 +114,7 @@ no ray where the curve is straight: c′ × c″ = 0
 )",
          .parameters = {sense_parameter("on the side from which the curve turns to the left, or "
                                         "on the opposite side")},
-         .make = make_frenet_rule<FrenetRule::Vector::binormal>,
+         .make = make_frenet_rule<FrenetRule::FrameVector::binormal>,
          .example = R"(
 // A spiral ramp unrolled, seen from above: downwards at right angles to the ramp's own slope.
 camera ramp {
@@ -132,7 +133,7 @@ The centre of curvature is c + N/κ with N = d/|d| and κ = |c′ × c″| / |c�
 no ray where the curve is straight: c′ × c″ = 0
 )",
          .parameters = {sense_parameter("towards the centre of curvature, or away from it")},
-         .make = make_frenet_rule<FrenetRule::Vector::principal_normal>,
+         .make = make_frenet_rule<FrenetRule::FrameVector::principal_normal>,
          .example = R"(
 // A statue from all sides, from a path around it: each column looks straight across the path.
 camera around {

@@ -5,7 +5,7 @@
 #include <memory>
 #include <span>
 
-#include "balcony/camera.hpp"
+#include "balcony/emitter.hpp"
 
 namespace balcony::camera {
 

@@ -308,11 +308,11 @@ frame = rotation_minimising   L is perpendicular to the frame's up, as for
                           "the path, for one that goes straight up or loops"},
               {.name = "from",
                .type =
-                   NumberParameter{.unit = Unit::parameter, .default_value = 0.0, .constant = true},
+                   NumberParameter{.unit = Unit::either, .default_value = 0.0, .constant = true},
                .meaning = "the path's parameter at the start"},
               {.name = "to",
                .type =
-                   NumberParameter{.unit = Unit::parameter, .default_value = 1.0, .constant = true},
+                   NumberParameter{.unit = Unit::either, .default_value = 1.0, .constant = true},
                .meaning = "the path's parameter at the end"}},
          .make = make_follow,
          .example = R"(

@@ -336,15 +336,14 @@ Gallery", 2003: theirs is turns = 1, scale = 256.)
                .meaning = "sense in which things become larger, for u to the right and v up; "
                           "if u runs to the left, it is reversed"},
               {.name = "frame",
-               .type = PairParameter{.unit = Unit::parameter,
+               .type = PairParameter{.unit = Unit::either,
                                      .default_value = std::array{1.0, 1.0},
                                      .range = {.minimum = 0.0, .excludes_minimum = true},
                                      .one_for_both = true},
                .meaning =
                    "half the width and height of the picture that repeats; its edge is the seam"},
               {.name = "offset",
-               .type =
-                   PairParameter{.unit = Unit::parameter, .default_value = std::array{0.0, 0.0}},
+               .type = PairParameter{.unit = Unit::either, .default_value = std::array{0.0, 0.0}},
                .meaning =
                    "the middle of the frame, from the centre, which must be inside the frame"},
               {.name = "shape",

@@ -164,14 +164,14 @@ void add_common_parameters(std::vector<StageParameter>& own) {
 std::vector<StageParameter> parameter_grid_parameters() {
     const auto corner = [](std::string_view name, double at, std::string_view meaning) {
         return StageParameter{.name = name,
-                              .type = PairParameter{.unit = Unit::parameter,
+                              .type = PairParameter{.unit = Unit::either,
                                                     .default_value = std::array{at, at},
                                                     .constant = true},
                               .meaning = meaning};
     };
     std::vector<StageParameter> made{
         {.name = "points",
-         .type = PointsParameter{.unit = Unit::parameter, .coordinates = {2}, .min_points = 4},
+         .type = PointsParameter{.unit = Unit::either, .coordinates = {2}, .min_points = 4},
          .meaning = "(u, v), from the corner `from` along u, then row by row along v"},
         count_parameter("columns", "number of points per row"),
         corner("from", -1.0, "the corner (u, v) of the box at the first point"),

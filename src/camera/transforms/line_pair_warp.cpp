@@ -111,7 +111,7 @@ w = (|Q − P|^p/(a + d))^b,   d = the distance of X from the segment P Q
 )",
          .parameters =
              {{.name = "lines",
-               .type = PointsParameter{.unit = Unit::parameter, .coordinates = {8}},
+               .type = PointsParameter{.unit = Unit::either, .coordinates = {8}},
                .meaning = "(P, Q, P', Q') as 8 numbers: the line P Q of the picture shows what was "
                           "along P' Q'"},
               {.name = "a",

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "balcony/camera.hpp"
+#include "balcony/emitter.hpp"
 #include "camera/catalogue/stage_parameters.hpp"
 
 namespace balcony::camera {

@@ -83,7 +83,7 @@ StageParameter fixed_parameters() { return pair_parameter("at", {0.0, 0.0}, "the
 
 StageParameter addend(std::string_view name, std::string_view meaning) {
     return {.name = name,
-            .type = NumberParameter{.unit = Unit::parameter, .default_value = 0.0},
+            .type = NumberParameter{.unit = Unit::either, .default_value = 0.0},
             .meaning = meaning};
 }
 

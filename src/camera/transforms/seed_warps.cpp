@@ -201,7 +201,7 @@ Result<std::shared_ptr<const Stage>> inverse_distance(const Arguments& a) {
 StageParameter seeds_parameter(StageKind kind, std::size_t minimum) {
     const bool plane = kind == StageKind::parameter_transformer;
     return {.name = "seeds",
-            .type = PointsParameter{.unit = plane ? Unit::parameter : Unit::number,
+            .type = PointsParameter{.unit = plane ? Unit::either : Unit::number,
                                     .coordinates = {plane ? std::size_t{4} : std::size_t{6}},
                                     .min_points = minimum},
             .meaning = plane ? "(u, v, u', v'): the picture shows at (u, v) what was at (u', v')"

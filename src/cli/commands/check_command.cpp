@@ -118,8 +118,8 @@ ExitCode check_command(const CheckOptions& options) {
             tell(check_strictly(check));
         }
     };
-    const Job job;
-    const app::CheckReport found = app::check(options.request, observer, job.token());
+    const Interruptible work;
+    const app::CheckReport found = app::check(options.request, observer, work.token());
     if (options.manner.json) {
         answer.facts["files"] = nlohmann::json::array();
         for (const app::FileCheck& file : found.files) {

@@ -23,7 +23,7 @@ struct DrawOptions {
     std::string output;
     std::array<double, 2> direction{-50.0, 25.0};  ///< Azimuth and elevation in degrees.
     std::optional<Imath::Color3f> color;
-    PictureSize size;
+    SizeRequest size;
     Manner manner;
 };
 
@@ -111,8 +111,8 @@ app::DrawRequest request_of(const DrawOptions& options) {
 ExitCode draw(const DrawOptions& options) {
     Answer answer;
     answer.facts["output"] = nullptr;
-    const Job job;
-    if (answer.add(app::draw(request_of(options), job.token()))) {
+    const Interruptible work;
+    if (answer.add(app::draw(request_of(options), work.token()))) {
         answer.facts["output"] = options.output;
         answer.text = fmt::format("{}: drawn\n", printable(options.output));
     }

@@ -14,11 +14,11 @@ namespace {
 struct ExplainOptions {
     std::string camera;
     std::vector<std::string> set;
-    PictureSize size;
+    SizeRequest size;
     Manner manner;
 };
 
-void explain(const app::CameraArgument& wanted, const PictureSize& size, Answer& answer) {
+void explain(const app::CameraArgument& wanted, const SizeRequest& size, Answer& answer) {
     const auto made = lang::Workspace().explain(wanted.file, wanted.name, wanted.overrides);
     if (!answer.add(made.diagnostics)) {
         return;

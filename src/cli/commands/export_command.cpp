@@ -27,7 +27,7 @@ struct CameraExportOptions {
     std::string parameters = "auto";
     std::string precision = "double";
     std::optional<Axes> axes;
-    PictureSize size;
+    SizeRequest size;
     Manner manner;
     const ExportTarget* target = nullptr;  ///< Of these words.
 };

@@ -202,8 +202,8 @@ ExitCode locate(const LocateOptions& options) {
         read_rows(options.file, request.points, answer.diagnostics);
     }
     if (answer.is_done()) {
-        const Job job;
-        const Result<Located> located = app::locate(request, job.token());
+        const Interruptible work;
+        const Result<Located> located = app::locate(request, work.token());
         if (answer.add(located.diagnostics)) {
             answer.facts = json_of(*located);
             answer.text = text_of(*located);

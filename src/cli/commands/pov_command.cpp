@@ -32,14 +32,14 @@ struct PovOptions {
     std::string camera;
     std::string output;
     std::vector<std::string> set;
-    PictureSize size;
+    SizeRequest size;
     bridge::PovraySettings settings;
     Manner manner;
 };
 
 struct PovRequest {
     bridge::PovraySettings settings;
-    PictureSize size;
+    SizeRequest size;
     app::Finish finish;
 };
 

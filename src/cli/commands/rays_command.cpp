@@ -26,7 +26,7 @@ struct RaysOptions {
     std::string output;
     std::optional<NumberFormat> format;
     std::vector<std::string> set;
-    PictureSize size;
+    SizeRequest size;
     double time = 0.0;
     std::optional<Axes> axes;
     std::string layer;
@@ -92,9 +92,9 @@ bridge::RaysWritten write(const RaysOptions& options, const bridge::RayGrid& gri
 }
 
 void write_rays(const RaysOptions& options, const bridge::RayGrid& grid, Answer& answer) {
-    const Job job;
-    const bridge::RaysWritten written = write(options, grid, job.token());
-    answer.interrupted = !written.complete && job.token().stop_requested();
+    const Interruptible work;
+    const bridge::RaysWritten written = write(options, grid, work.token());
+    answer.interrupted = !written.complete && work.token().stop_requested();
     if (answer.interrupted || !answer.add(written.problems)) {
         return;
     }

@@ -18,7 +18,7 @@ namespace {
 
 struct StMapOptions {
     PhotoRequest photo;
-    PictureSize photo_size;
+    SizeRequest photo_size;
     std::string output;
     Manner manner;
 };
@@ -41,15 +41,15 @@ void make_st_map_file(const StMapOptions& options, Answer& answer) {
     if (!answer.add(OutputFile::check(options.output))) {
         return;
     }
-    const PictureSize& size = options.photo_size;
+    const SizeRequest& size = options.photo_size;
     const auto photo_size =
         size.width ? std::optional(std::array{*size.width, *size.height}) : std::nullopt;
     lang::Workspace workspace;
     const auto map = make_st_map(options.photo, photo_size, workspace);
     if (answer.add(map.diagnostics) &&
         answer.add(app::check_overwrites(options.output, workspace.files()))) {
-        const Job job;
-        add_written(answer, *map, write_st_map(*map, options.output, job.token()), options.output);
+        const Interruptible work;
+        add_written(answer, *map, write_st_map(*map, options.output, work.token()), options.output);
     }
 }
 

@@ -41,8 +41,8 @@ void warp_file(const WarpOptions& options, Answer& answer) {
     std::vector<fs::path> inputs = workspace.files();
     inputs.emplace_back(options.photo);
     if (answer.add(map.diagnostics) && answer.add(app::check_overwrites(options.output, inputs))) {
-        const Job job;
-        add_written(answer, *map, warp_photo(*map, *photo, options.output, job.token()),
+        const Interruptible work;
+        add_written(answer, *map, warp_photo(*map, *photo, options.output, work.token()),
                     options.output);
     }
 }

@@ -19,7 +19,7 @@ using app::flag;
 using app::load_picture;
 using app::option;
 using app::OptionType;
-using app::PictureSize;
+using app::SizeRequest;
 using app::text;
 
 /// The required argument CAMERA.

@@ -39,7 +39,7 @@ std::optional<bridge::SourceCamera> make_source(const PhotoRequest& request,
         return std::nullopt;
     }
     const camera::Picture picture = own->with_fit(camera::Fit::stretch);
-    const auto [width, height] = app::PictureSize{}.resolve(picture.aspect(), picture.parts().size);
+    const auto [width, height] = app::SizeRequest{}.resolve(picture.aspect(), picture.parts().size);
     const auto [columns, rows] = photo.value_or(std::array{width, height});
     auto grid = taken(make_grid(picture, {columns, rows}, {}, request.time), found);
     auto locator =

@@ -22,7 +22,7 @@ struct PhotoRequest {
     std::string camera;
     std::vector<std::string> set;
     std::string layer;
-    app::PictureSize size;
+    app::SizeRequest size;
     double time = 0.0;
     std::string from;  ///< The camera of the photo.
     std::vector<std::string> from_set;

@@ -14,9 +14,9 @@ namespace balcony::cli {
 
 namespace {
 
+using analyse::CameraReport;
 using analyse::Finding;
 using analyse::Place;
-using analyse::Report;
 using analyse::Statistics;
 using app::CameraCheck;
 
@@ -64,7 +64,7 @@ std::string statistics_text(const Statistics& row, std::string_view unit) {
                        pixel_text(row.max_at.point), unit);
 }
 
-std::string origins_text(const Report& report) {
+std::string origins_text(const CameraReport& report) {
     if (report.valid_share == 0.0) {
         return "none";
     }
@@ -157,7 +157,7 @@ nlohmann::json scene_json(const CameraCheck::InScene& found) {
 }  // namespace
 
 std::string check_text(const CameraCheck& check) {
-    const Report& report = check.report;
+    const CameraReport& report = check.report;
     std::string text =
         fmt::format("\ncamera {}: {:.0f} x {:.0f} pixels, {} samples\n", printable(check.title()),
                     report.grid.picture_width, report.grid.picture_height, report.samples.size());
@@ -192,7 +192,7 @@ std::string check_text(const CameraCheck& check) {
 }
 
 nlohmann::json check_json(const CameraCheck& check) {
-    const Report& report = check.report;
+    const CameraReport& report = check.report;
     nlohmann::json findings = nlohmann::json::array();
     for (const Finding& finding : report.findings) {
         findings.push_back(finding_json(finding));

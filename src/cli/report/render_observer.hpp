@@ -17,14 +17,14 @@ public:
     explicit RenderObserver(const Manner& manner);
 
     [[nodiscard]] const app::Observer& observer() const { return observer_; }
-    [[nodiscard]] std::stop_token token() const { return job_.token(); }
-    void stop() { job_.stop(); }
+    [[nodiscard]] std::stop_token token() const { return work_.token(); }
+    void stop() { work_.stop(); }
     /// Makes place for other output.
     void clear() { display_.clear(); }
 
 private:
     ProgressDisplay display_;
-    Job job_;
+    Interruptible work_;
     app::Observer observer_;
 };
 

@@ -203,13 +203,13 @@ private:
         }
     }
 
-    std::optional<camera::Region> region(const Corners& corners) {
+    std::optional<camera::PictureRegion> region(const Corners& corners) {
         const auto given =
             stages_.arguments(region_row(), std::array{corners.first, corners.last}, corners.span);
         if (!given) {
             return std::nullopt;
         }
-        camera::Region made{given->pair("from"), given->pair("to")};
+        camera::PictureRegion made{given->pair("from"), given->pair("to")};
         for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
             const auto first = made.from[i].constant();
             const auto last = made.to[i].constant();
@@ -249,10 +249,10 @@ private:
         }
     }
 
-    std::optional<camera::Region> leader_region(const Corners& corners) {
+    std::optional<camera::PictureRegion> leader_region(const Corners& corners) {
         const auto given =
             stages_.arguments(region_row(), std::array{corners.first, corners.last}, corners.span);
-        return given ? std::optional(camera::Region{given->pair("from"), given->pair("to")})
+        return given ? std::optional(camera::PictureRegion{given->pair("from"), given->pair("to")})
                      : std::nullopt;
     }
 

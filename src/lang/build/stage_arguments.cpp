@@ -14,8 +14,8 @@ namespace balcony::lang {
 
 namespace {
 
+using camera::ArgumentError;
 using camera::Arguments;
-using camera::Finding;
 using camera::StageEntry;
 using camera::StageParameter;
 
@@ -131,7 +131,7 @@ std::optional<Arguments> StageBuilder::arguments(const StageEntry& row,
     return bind(row, all, span);
 }
 
-// ------------------------------------------------------------------------------------ findings
+// -------------------------------------------------------------------------------------- errors
 
 std::optional<Arguments> StageBuilder::bind(const StageEntry& row, const std::vector<Given>& given,
                                             Span whole) {
@@ -140,29 +140,29 @@ std::optional<Arguments> StageBuilder::bind(const StageEntry& row, const std::ve
         values.push_back(one.named);
     }
     camera::Binding bound = camera::bind(row, values);
-    for (Finding& finding : bound.findings) {
-        Diagnostic& diagnostic = finding.diagnostic;
-        if (!finding.value) {
+    for (ArgumentError& wrong : bound.errors) {
+        Diagnostic& diagnostic = wrong.diagnostic;
+        if (!wrong.value) {
             diagnostic.span = tree_.at(whole);
             reporter_.add(std::move(diagnostic));
             continue;
         }
-        const Given& about = given[*finding.value];
-        const bool of_name = finding.kind == Finding::Kind::unknown_name ||
-                             finding.kind == Finding::Kind::given_twice;
+        const Given& about = given[*wrong.value];
+        const bool of_name = wrong.kind == ArgumentError::Kind::unknown_name ||
+                             wrong.kind == ArgumentError::Kind::given_twice;
         const Written* place = &about.place;
-        for (const std::size_t i : finding.element) {
+        for (const std::size_t i : wrong.element) {
             place = i < place->parts.size() ? &place->parts[i] : place;
         }
         diagnostic.span = of_name ? tree_.at(about.name) : place->span;
-        if (finding.kind == Finding::Kind::number_for_angle) {
+        if (wrong.kind == ArgumentError::Kind::number_for_angle) {
             diagnostic.remedy = angle_remedy(diagnostic.span);
-        } else if (finding.kind == Finding::Kind::wrong_coordinates &&
+        } else if (wrong.kind == ArgumentError::Kind::wrong_coordinates &&
                    diagnostic.span.source != tree_.source) {
             diagnostic.remedy = "each line of a table is a point; remove other columns";
         }
-        if (finding.earlier) {
-            diagnostic.notes.push_back({given[*finding.earlier].place.span, "first given here"});
+        if (wrong.earlier) {
+            diagnostic.notes.push_back({given[*wrong.earlier].place.span, "first given here"});
         }
         report({std::move(diagnostic)}, of_name ? about.name : about.expression);
     }

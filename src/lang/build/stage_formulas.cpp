@@ -39,10 +39,10 @@ StageBuilder::Located StageBuilder::formula(std::string_view name,
         return made;
     }
     std::vector<expr::Expr> results;
-    std::vector<camera::Dimension> dimensions;
+    std::vector<camera::Unit> units;
     const auto add = [&](const Value& value, const SourceSpan& place) {
         results.push_back(value.expr);
-        dimensions.push_back(value.dimension);
+        units.push_back(value.unit);
         made.place.parts.push_back({place});
     };
     bool good = true;
@@ -63,9 +63,8 @@ StageBuilder::Located StageBuilder::formula(std::string_view name,
         }
     }
     if (good && has_shape(results.size())) {
-        made.value =
-            camera::FormulaValue{camera::Formula(graph_, std::move(variables), std::move(results)),
-                                 std::move(dimensions)};
+        made.value = camera::FormulaValue{
+            camera::Formula(graph_, std::move(variables), std::move(results)), std::move(units)};
     }
     return made;
 }
@@ -76,7 +75,7 @@ std::optional<camera::Formula> StageBuilder::formula_of_picture(ExpressionId id,
     std::vector<expr::Expr> variables;
     for (const std::string_view name : {"x", "y"}) {
         variables.push_back(graph_->fresh_variable());
-        const Value value{variables.back(), Dimension::number, nullptr};
+        const Value value{variables.back(), Unit::number, nullptr};
         scope.define(name, {value, tree_.at(tree_[id].span), "parameter", true});
     }
     const Value value = evaluate(tree_, id, scope, session_.context());
@@ -103,7 +102,7 @@ bool StageBuilder::define_formula_parameters(const Expression& node, Scope& scop
             return false;
         }
         variables.push_back(graph_->fresh_variable());
-        const Value value{variables.back(), Dimension::either, nullptr};
+        const Value value{variables.back(), Unit::either, nullptr};
         if (!scope.define(name.text, {value, place, "parameter", true})) {
             report_duplicate(name, place, scope.find_here(name.text)->place, reporter_);
             return false;

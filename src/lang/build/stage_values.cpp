@@ -98,7 +98,7 @@ camera::Quantity StageBuilder::quantity(const Value& value) const {
     const camera::Scalar number = value.is_constant()
                                       ? camera::Scalar(value.constant())
                                       : camera::Scalar(camera::Formula(graph_, {}, {value.expr}));
-    return {number, value.dimension};
+    return {number, value.unit};
 }
 
 camera::Tuple StageBuilder::tuple(const Value& value) const {

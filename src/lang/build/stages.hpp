@@ -17,7 +17,7 @@
 namespace balcony::lang {
 
 /// Makes stages from calls: assigns arguments to parameters and evaluates them. camera::bind checks
-/// the values; its findings are reported where the values are written.
+/// the values; its errors are reported where the values are written.
 class StageBuilder {
 public:
     StageBuilder(const Module& module, Scope& scope, Session& session)
@@ -159,7 +159,7 @@ private:
     void error(Span span, std::string message, std::string remedy = {}) {
         reporter_.error(tree_.at(span), std::move(message), std::move(remedy));
     }
-    /// Reports findings without a place at the name in the camera file; those in other files get a
+    /// Reports errors without a place at the name in the camera file; those in other files get a
     /// note with the place of use.
     void report(Diagnostics found, Span named) { reporter_.add(std::move(found), tree_.at(named)); }
 

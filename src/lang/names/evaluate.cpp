@@ -186,7 +186,7 @@ private:
     Value number(const Expression& node) {
         const double factor = node.unit == NumberUnit::degrees ? radians_per_degree : 1.0;
         return {graph_.constant(node.value * factor),
-                node.unit == NumberUnit::none ? Dimension::number : Dimension::angle, nullptr};
+                node.unit == NumberUnit::none ? Unit::number : Unit::angle, nullptr};
     }
 
     Value named(const Expression& node) {
@@ -239,12 +239,12 @@ private:
             }
             arguments.push_back(operands.back().expr);
         }
-        const DimensionResult dimension = dimension_of(function, operands);
-        if (!dimension.error.empty()) {
-            error(node.span, dimension.error, dimension.remedy);
+        const UnitResult unit = unit_of(function, operands);
+        if (!unit.error.empty()) {
+            error(node.span, unit.error, unit.remedy);
             return {};
         }
-        result.dimension = dimension.dimension;
+        result.unit = unit.unit;
         result.problem = inherited_problem(function, operands);
         if (!result.problem && function.op == expr::Op::divide && operands[1].is_zero()) {
             const Span divisor = tree_[node.arguments[1].value].span;
@@ -308,7 +308,7 @@ private:
                   "a list is in brackets: count([(0, 0), (1, 2)]) is 2");
             return {};
         }
-        return {graph_.constant(static_cast<double>(compound.elements->size())), Dimension::number,
+        return {graph_.constant(static_cast<double>(compound.elements->size())), Unit::number,
                 nullptr};
     }
 

@@ -166,7 +166,7 @@ private:
             Key key{join(table->at(row.front()), table->at(row.back())), {}};
             for (const data::NumberTable::Number& number : row) {
                 key.numbers.push_back({{context_.graph.constant(number.value),
-                                        number.angle ? Dimension::angle : Dimension::number},
+                                        number.angle ? Unit::angle : Unit::number},
                                        table->at(number)});
             }
             read_.push_back(std::move(key));
@@ -217,15 +217,14 @@ private:
     }
 
     // Returns whether numbers have one unit, which `common` gets.
-    bool agree(const std::vector<const Number*>& numbers, std::string_view what,
-               Dimension& common) {
+    bool agree(const std::vector<const Number*>& numbers, std::string_view what, Unit& common) {
         const Number* known = nullptr;
         for (const Number* number : numbers) {
             const Value& value = number->value;
             if (!value.is_angle() && !value.is_plain_number()) {
                 continue;
             }
-            if (known != nullptr && known->value.dimension != value.dimension) {
+            if (known != nullptr && known->value.unit != value.unit) {
                 Diagnostic diagnostic = balcony::error(
                     fmt::format("{} are angles and plain numbers", what), number->place,
                     "write all as angles (30deg, 0.5rad) or all as plain numbers");
@@ -237,24 +236,24 @@ private:
             }
             known = number;
         }
-        common = known != nullptr ? known->value.dimension : numbers.front()->value.dimension;
+        common = known != nullptr ? known->value.unit : numbers.front()->value.unit;
         return true;
     }
 
     bool has_units() {
-        Dimension unused{};
+        Unit unused{};
         std::vector<const Number*> times{&at_};
         for (const Key& key : read_) {
             times.push_back(&key.time());
         }
         bool good = agree(times, "the times of the keys and 'at'", unused);
-        dimensions_.resize(read_.front().numbers.size() - 1);
-        for (std::size_t k = 0; k < dimensions_.size(); ++k) {
+        units_.resize(read_.front().numbers.size() - 1);
+        for (std::size_t k = 0; k < units_.size(); ++k) {
             std::vector<const Number*> numbers;
             for (const Key& key : read_) {
                 numbers.push_back(&key.numbers[k + 1]);
             }
-            good = good && agree(numbers, "the values of the keys", dimensions_[k]);
+            good = good && agree(numbers, "the values of the keys", units_[k]);
         }
         return good;
     }
@@ -262,7 +261,7 @@ private:
     // ------------------------------------------------------------------------------------- value
 
     Value value() {
-        for (std::size_t k = 0; k < dimensions_.size(); ++k) {
+        for (std::size_t k = 0; k < units_.size(); ++k) {
             std::vector<expr::Expr> numbers;
             for (const Key& key : read_) {
                 numbers.push_back(key.numbers[k + 1].value.expr);
@@ -271,11 +270,11 @@ private:
         }
         const std::vector<expr::Expr> made = camera::between_keys(keys_, at_.value.expr);
         if (made.size() == 1) {
-            return {made.front(), dimensions_.front()};
+            return {made.front(), units_.front()};
         }
         auto elements = std::make_shared<std::vector<Element>>();
         for (std::size_t k = 0; k < made.size(); ++k) {
-            elements->push_back({{made[k], dimensions_[k]}, tree_.at(call_.span)});
+            elements->push_back({{made[k], units_[k]}, tree_.at(call_.span)});
         }
         Value tuple;
         tuple.form = Value::Form::tuple;
@@ -292,7 +291,7 @@ private:
     Number at_;  ///< The time, or what stands in its place.
     camera::Keyframes keys_;
     std::vector<Key> read_;
-    std::vector<Dimension> dimensions_;
+    std::vector<Unit> units_;
 };
 
 }  // namespace

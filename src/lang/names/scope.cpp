@@ -107,9 +107,8 @@ std::vector<std::string> Scope::names() const {
 std::unique_ptr<Scope> constants(expr::Graph& graph) {
     auto scope = std::make_unique<Scope>();
     scope->define(
-        "pi",
-        {{graph.constant(std::numbers::pi), Dimension::number, nullptr}, {}, "constant", true});
-    scope->define("t", {{graph.time(), Dimension::number, nullptr}, {}, "time", true});
+        "pi", {{graph.constant(std::numbers::pi), Unit::number, nullptr}, {}, "constant", true});
+    scope->define("t", {{graph.time(), Unit::number, nullptr}, {}, "time", true});
     return scope;
 }
 

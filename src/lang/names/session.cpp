@@ -116,7 +116,7 @@ const data::NumberTable* Session::table(const SyntaxTree& tree, const Identifier
 // For a tuple or a list: a mark that is not a number, its length and its elements.
 void Session::add_to_key(const Value& value, ParameterKey& key) {
     if (!value.elements) {
-        key.emplace_back(value.expr.id().value(), value.dimension);
+        key.emplace_back(value.expr.id().value(), value.unit);
         return;
     }
     key.emplace_back(value.elements->size(), value.form);

@@ -135,7 +135,7 @@ private:
     std::vector<const DefinitionSyntax*> morphs_;
     std::map<const DefinitionSyntax*, std::size_t> morph_levels_;
     // By their syntax and their parameters' values: nodes with units, forms with lengths.
-    using ParameterKey = std::vector<std::pair<std::size_t, std::variant<Dimension, Value::Form>>>;
+    using ParameterKey = std::vector<std::pair<std::size_t, std::variant<Unit, Value::Form>>>;
     using BuiltKey = std::pair<const DefinitionSyntax*, ParameterKey>;
     static BuiltKey key_of(const LocatedDefinition& place, const std::vector<Value>& parameters);
     static void add_to_key(const Value& value, ParameterKey& key);

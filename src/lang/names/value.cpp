@@ -62,16 +62,16 @@ const std::vector<Function>& operators() {
     return rows;
 }
 
-// ---------------------------------------------------------------------------------- dimensions
+// --------------------------------------------------------------------------------------- units
 
 constexpr const char* as_a_number = "divide an angle by 1rad or 1deg for a plain number";
 
-DimensionResult mismatch(std::string error, std::string remedy = as_a_number) {
-    return {Dimension::number, std::move(error), std::move(remedy)};
+UnitResult mismatch(std::string error, std::string remedy = as_a_number) {
+    return {Unit::number, std::move(error), std::move(remedy)};
 }
 
 // The common unit of operands that must agree; zero and formula parameters agree with any unit.
-DimensionResult common(const Function& function, std::span<const Value> operands) {
+UnitResult common(const Function& function, std::span<const Value> operands) {
     const bool angle =
         std::any_of(operands.begin(), operands.end(), [](const Value& v) { return v.is_angle(); });
     const bool number = std::any_of(operands.begin(), operands.end(),
@@ -85,34 +85,33 @@ DimensionResult common(const Function& function, std::span<const Value> operands
             "write the number as an angle (30deg, 0.5rad), or divide the angle by 1rad");
     }
     if (angle) {
-        return {Dimension::angle, {}, {}};
+        return {Unit::angle, {}, {}};
     }
-    const bool either = std::any_of(operands.begin(), operands.end(), [](const Value& v) {
-        return v.dimension == Dimension::either;
-    });
-    return {either ? Dimension::either : Dimension::number, {}, {}};
+    const bool either = std::any_of(operands.begin(), operands.end(),
+                                    [](const Value& v) { return v.unit == Unit::either; });
+    return {either ? Unit::either : Unit::number, {}, {}};
 }
 
-DimensionResult product(const Value& a, const Value& b) {
+UnitResult product(const Value& a, const Value& b) {
     if (a.is_angle() && b.is_angle()) {
         return mismatch("the product of two angles is not supported");
     }
     if (a.is_angle() || b.is_angle()) {
-        return {Dimension::angle, {}, {}};
+        return {Unit::angle, {}, {}};
     }
-    const bool either = a.dimension == Dimension::either || b.dimension == Dimension::either;
-    return {either ? Dimension::either : Dimension::number, {}, {}};
+    const bool either = a.unit == Unit::either || b.unit == Unit::either;
+    return {either ? Unit::either : Unit::number, {}, {}};
 }
 
-DimensionResult quotient(const Value& a, const Value& b) {
+UnitResult quotient(const Value& a, const Value& b) {
     if (b.is_angle()) {
         return a.is_plain_number() ? mismatch("a plain number is divided by an angle")
-                                   : DimensionResult{};
+                                   : UnitResult{};
     }
-    return {a.dimension, {}, {}};
+    return {a.unit, {}, {}};
 }
 
-DimensionResult plain(const Function& function, std::span<const Value> operands, Dimension made) {
+UnitResult plain(const Function& function, std::span<const Value> operands, Unit made) {
     const bool angle =
         std::any_of(operands.begin(), operands.end(), [](const Value& v) { return v.is_angle(); });
     if (angle) {
@@ -124,20 +123,20 @@ DimensionResult plain(const Function& function, std::span<const Value> operands,
 
 }  // namespace
 
-DimensionResult dimension_of(const Function& function, std::span<const Value> operands) {
-    const auto with = [](DimensionResult result, Dimension made) {
-        result.dimension = made;
+UnitResult unit_of(const Function& function, std::span<const Value> operands) {
+    const auto with = [](UnitResult result, Unit made) {
+        result.unit = made;
         return result;
     };
     using expr::UnitRule;
     switch (expr::operation(function.op).units) {
-        case UnitRule::numbers: return plain(function, operands, Dimension::number);
-        case UnitRule::numbers_to_angle: return plain(function, operands, Dimension::angle);
+        case UnitRule::numbers: return plain(function, operands, Unit::number);
+        case UnitRule::numbers_to_angle: return plain(function, operands, Unit::angle);
         case UnitRule::anything_to_number: return {};
-        case UnitRule::kept: return {operands[0].dimension, {}, {}};
+        case UnitRule::kept: return {operands[0].unit, {}, {}};
         case UnitRule::common: return common(function, operands);
-        case UnitRule::common_to_number: return with(common(function, operands), Dimension::number);
-        case UnitRule::common_to_angle: return with(common(function, operands), Dimension::angle);
+        case UnitRule::common_to_number: return with(common(function, operands), Unit::number);
+        case UnitRule::common_to_angle: return with(common(function, operands), Unit::angle);
         case UnitRule::common_after_first: return common(function, operands.subspan(1));
         case UnitRule::product: return product(operands[0], operands[1]);
         case UnitRule::quotient: return quotient(operands[0], operands[1]);

@@ -13,7 +13,7 @@
 
 namespace balcony::lang {
 
-using camera::Dimension;
+using camera::Unit;
 
 struct Element;
 
@@ -24,7 +24,7 @@ struct Value {
     enum class Form : std::uint8_t { number, tuple, list };
 
     expr::Expr expr;
-    Dimension dimension = Dimension::number;
+    Unit unit = Unit::number;
     /// An error of the number itself (such as a division by 0). It is reported only if the value is
     /// used, so that if(c, a, b) may contain values that its condition excludes.
     std::shared_ptr<const Diagnostic> problem{};
@@ -37,10 +37,8 @@ struct Value {
     [[nodiscard]] double constant() const { return expr.node().value; }
     /// 0 has every unit.
     [[nodiscard]] bool is_zero() const { return is_constant() && constant() == 0.0; }
-    [[nodiscard]] bool is_angle() const { return dimension == Dimension::angle && !is_zero(); }
-    [[nodiscard]] bool is_plain_number() const {
-        return dimension == Dimension::number && !is_zero();
-    }
+    [[nodiscard]] bool is_angle() const { return unit == Unit::angle && !is_zero(); }
+    [[nodiscard]] bool is_plain_number() const { return unit == Unit::number && !is_zero(); }
 };
 
 /// An element of a tuple or a list and its position.
@@ -75,12 +73,11 @@ inline constexpr std::string_view keys_function = "keys";
 [[nodiscard]] std::vector<std::string> function_names();
 
 /// The unit of a result, or the error of operands with incompatible units.
-struct DimensionResult {
-    Dimension dimension = Dimension::number;
+struct UnitResult {
+    Unit unit = Unit::number;
     std::string error;
     std::string remedy;
 };
-[[nodiscard]] DimensionResult dimension_of(const Function& function,
-                                           std::span<const Value> operands);
+[[nodiscard]] UnitResult unit_of(const Function& function, std::span<const Value> operands);
 
 }  // namespace balcony::lang

@@ -119,7 +119,7 @@ OpenAttempt open_attempt(camera::Picture picture, const LocatedDefinition& place
             written = given.name == name ? given.expression : written;
         }
         made.numbers.push_back(
-            {name, written, values[i].constant(), values[i].dimension == Dimension::angle});
+            {name, written, values[i].constant(), values[i].unit == Unit::angle});
     }
     return made;
 }

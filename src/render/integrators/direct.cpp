@@ -41,7 +41,7 @@ public:
         : RayTree(traced), settings_(settings.direct), ambient_(*settings.ambient) {}
 
 private:
-    [[nodiscard]] Shaded shade(const Ray& ray, const Interaction& at) const override {
+    [[nodiscard]] Shaded shade(const DifferentialRay& ray, const Interaction& at) const override {
         if (at.appearance().unlit) {
             return {at.appearance().base_color, Color3f(0.0F), Color3f(0.0F)};
         }
@@ -52,7 +52,7 @@ private:
                 reflected_light(ray, at.surface, bsdf)};
     }
 
-    [[nodiscard]] Color3f reflected_light(const Ray& ray, const Surface& surface,
+    [[nodiscard]] Color3f reflected_light(const DifferentialRay& ray, const Surface& surface,
                                           const Bsdf& bsdf) const {
         const V3f to_viewer = -ray.direction;
         const LightSet& lights = tracer().lights();

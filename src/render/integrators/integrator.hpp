@@ -31,7 +31,7 @@ struct Seen {
 
 /// A ray of the camera with its first hit, and the random numbers of its pixel and pass.
 struct CameraRay {
-    Ray ray;
+    DifferentialRay ray;
     embree::Hit first;
     Sampler sampler;
     std::uint32_t packet = 0;  ///< Rays of a packet are neighbours in the picture, and in a batch.

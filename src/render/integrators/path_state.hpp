@@ -36,8 +36,8 @@ enum class Part : std::uint8_t {
 
 /// A path in progress, from the camera.
 struct Path {
-    Ray ray;          ///< The one to trace next.
-    embree::Hit hit;  ///< Where it ends.
+    DifferentialRay ray;  ///< The one to trace next.
+    embree::Hit hit;      ///< Where it ends.
     Color3f throughput{1.0F};
     V3f eye;                              ///< The origin of the camera ray.
     LitPoint from{V3f(0.0F), V3f(0.0F)};  ///< Where the light was scattered last.

@@ -84,7 +84,7 @@ private:
         }
     }
 
-    [[nodiscard]] Color4f light(const Ray& ray, const embree::Hit& hit) {
+    [[nodiscard]] Color4f light(const DifferentialRay& ray, const embree::Hit& hit) {
         const Interaction at = tracer().interaction(ray, hit);
         return at.appearance().opacity >= 1.0F ? opaque(radiance(at, ray.direction))
                                                : trace(ray, hit).radiance;
@@ -99,7 +99,7 @@ private:
     }
     static Color4f opaque(const Color3f& color) { return {color.x, color.y, color.z, 1.0F}; }
 
-    [[nodiscard]] Shaded shade(const Ray& ray, const Interaction& at) const override {
+    [[nodiscard]] Shaded shade(const DifferentialRay& ray, const Interaction& at) const override {
         if (at.appearance().unlit) {
             return {at.appearance().base_color, Color3f(0.0F), Color3f(0.0F)};
         }

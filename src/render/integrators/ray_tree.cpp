@@ -19,7 +19,7 @@ void RayTree::trace(std::span<const CameraRay> rays, std::span<Seen> seen) {
                    [this](const CameraRay& one) { return trace(one.ray, one.first); });
 }
 
-Seen RayTree::trace(const Ray& ray, const embree::Hit& first) {
+Seen RayTree::trace(const DifferentialRay& ray, const embree::Hit& first) {
     Seen seen;
     open_.clear();
     follow({ray}, first, seen);

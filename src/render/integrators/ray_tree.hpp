@@ -23,7 +23,7 @@ public:
 protected:
     /// A pending ray, and the fraction of its radiance that reaches the camera.
     struct Branch {
-        Ray ray;
+        DifferentialRay ray;
         Color3f weight{1.0F};
         std::size_t reflections = 0;
         std::size_t crossings = 0;
@@ -37,14 +37,14 @@ protected:
     };
 
     /// Without the branch of reflect().
-    [[nodiscard]] virtual Shaded shade(const Ray& ray, const Interaction& at) const = 0;
+    [[nodiscard]] virtual Shaded shade(const DifferentialRay& ray, const Interaction& at) const = 0;
     /// The reflected branch from a surface, if any. `weight` is the part of the light from this
     /// surface that reaches the camera.
     [[nodiscard]] virtual std::optional<Branch> reflect(const Branch& arriving,
                                                         const Color3f& weight,
                                                         const Interaction& at) const;
 
-    [[nodiscard]] Seen trace(const Ray& ray, const embree::Hit& first);
+    [[nodiscard]] Seen trace(const DifferentialRay& ray, const embree::Hit& first);
     [[nodiscard]] const SceneTracer& tracer() const { return tracer_; }
 
 private:

@@ -39,7 +39,7 @@ Color3f ambient_of(const TracedScene& traced, PictureRays& rays, const Film& fil
     constexpr double in_the_dark = 0.3;
     const SceneTracer tracer(traced);
     std::vector<double> lit;
-    for_each_coarse_ray(traced, rays, film, time, [&](const Ray& ray) {
+    for_each_coarse_ray(traced, rays, film, time, [&](const DifferentialRay& ray) {
         if (const embree::Hit hit = tracer.nearest(ray); hit.any()) {
             const double found = brightness(tracer, -ray.direction, tracer.interaction(ray, hit));
             if (found > 0.0 && std::isfinite(found)) {

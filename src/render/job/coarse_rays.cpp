@@ -8,7 +8,7 @@
 namespace balcony::render {
 
 void for_each_coarse_ray(const TracedScene& traced, PictureRays& all, const Film& film, double time,
-                         const std::function<void(const Ray&)>& visit) {
+                         const std::function<void(const DifferentialRay&)>& visit) {
     const rays::Tile grid = coarse_grid(film, time);
     TileRays found;
     for (std::size_t layer = 0; layer < all.layer_count(); ++layer) {
@@ -17,7 +17,8 @@ void for_each_coarse_ray(const TracedScene& traced, PictureRays& all, const Film
             if (!traceable(found.all, i)) {
                 continue;
             }
-            Ray ray{V3f(found.all.origin(i)), V3f(found.all.direction(i)), {}, found.time_of(i)};
+            DifferentialRay ray{
+                V3f(found.all.origin(i)), V3f(found.all.direction(i)), {}, found.time_of(i)};
             if (traced.materials.has_textures()) {
                 ray.differentials = differentials(found.all, i, grid.step);
             }

@@ -13,6 +13,6 @@ namespace balcony::render {
 /// Visits about 2000 rays of each camera layer, on a regular grid of the whole picture, whatever
 /// the film's window. They have footprints if the scene has textures.
 void for_each_coarse_ray(const TracedScene& traced, PictureRays& rays, const Film& film,
-                         double time, const std::function<void(const Ray&)>& visit);
+                         double time, const std::function<void(const DifferentialRay&)>& visit);
 
 }  // namespace balcony::render

@@ -25,7 +25,7 @@ bool sees_sky(const TracedScene& traced, PictureRays& all, const Film& film, dou
     const SceneTracer tracer(traced);
     std::size_t rays = 0;
     std::size_t escaped = 0;
-    for_each_coarse_ray(traced, all, film, time, [&](const Ray& ray) {
+    for_each_coarse_ray(traced, all, film, time, [&](const DifferentialRay& ray) {
         const embree::Hit hit = tracer.nearest(ray);
         ++rays;
         if (!hit.any()) {

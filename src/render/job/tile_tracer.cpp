@@ -130,8 +130,8 @@ void TileTracer::request(const TilePoints& points, const TileRays& rays, const S
             (void)sampler.next_pair();
         }
         // Tracing has changed directions within their rounding errors.
-        const Ray ray{V3f(rays.all.origin(i)), V3f(rays.all.direction(i)), differentials_.of(lane),
-                      packet.time[lane]};
+        const DifferentialRay ray{V3f(rays.all.origin(i)), V3f(rays.all.direction(i)),
+                                  differentials_.of(lane), packet.time[lane]};
         indices_.push_back(i);
         requested_.push_back({ray, packet.hit(lane), sampler, number, groups.of(x, y)});
     });

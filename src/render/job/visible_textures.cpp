@@ -17,7 +17,7 @@ void read_visible_textures(const TracedScene& traced, PictureRays& rays, const F
     }
     const SceneTracer tracer(traced);
     std::set<std::size_t> seen;
-    for_each_coarse_ray(traced, rays, film, time, [&](const Ray& ray) {
+    for_each_coarse_ray(traced, rays, film, time, [&](const DifferentialRay& ray) {
         if (const embree::Hit hit = tracer.nearest(ray); hit.any()) {
             seen.insert(traced.surfaces.mesh_point(hit).mesh->material.value());
         }

@@ -21,7 +21,8 @@ VisibleSurface SceneTracer::visible(const Interaction& at) const {
             at.surface.in_mesh.v};
 }
 
-Interaction::Interaction(const TracedScene& traced, const Ray& ray, const embree::Hit& hit)
+Interaction::Interaction(const TracedScene& traced, const DifferentialRay& ray,
+                         const embree::Hit& hit)
     : surface(traced.surfaces.find(hit, ray.direction, ray.time)) {
     const MaterialSet& materials = traced.materials;
     if (materials.has_textures()) {
@@ -47,7 +48,7 @@ Bsdf Interaction::bsdf() const {
 Color3f SceneTracer::emission(const embree::Hit& hit, const V3f& direction, float time) const {
     const MeshPoint point = traced_->surfaces.mesh_point(hit);
     if (traced_->scene->materials[point.mesh->material.value()].clearcoat > 0.0F) {
-        const Interaction at(*traced_, Ray{V3f(0.0F), direction, {}, time}, hit);
+        const Interaction at(*traced_, DifferentialRay{V3f(0.0F), direction, {}, time}, hit);
         return at.appearance().opacity * at.emission(direction);
     }
     return traced_->materials.opacity(point) * traced_->materials.emission(point);

@@ -34,7 +34,7 @@ struct TracedScene {
 /// The first surface on a ray.
 struct Interaction {
     /// At a hit of the ray.
-    Interaction(const TracedScene& traced, const Ray& ray, const embree::Hit& hit);
+    Interaction(const TracedScene& traced, const DifferentialRay& ray, const embree::Hit& hit);
 
     Surface surface;
     PositionDifferentials moved;            ///< The ray's footprint; 0 in scenes without textures.
@@ -60,7 +60,7 @@ public:
     [[nodiscard]] const TracedScene& scene() const { return *traced_; }
     [[nodiscard]] const LightSet& lights() const { return traced_->lights; }
 
-    [[nodiscard]] embree::Hit nearest(const Ray& ray) const {
+    [[nodiscard]] embree::Hit nearest(const DifferentialRay& ray) const {
         return traced_->accelerator.intersect(
             {.origin = ray.origin, .direction = ray.direction, .time = ray.time});
     }
@@ -81,7 +81,8 @@ public:
     }
 
     /// The surface at a hit of the ray.
-    [[nodiscard]] Interaction interaction(const Ray& ray, const embree::Hit& hit) const {
+    [[nodiscard]] Interaction interaction(const DifferentialRay& ray,
+                                          const embree::Hit& hit) const {
         return {*traced_, ray, hit};
     }
 

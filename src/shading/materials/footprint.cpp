@@ -12,9 +12,9 @@ namespace {
 
 // The derivatives of reflection and refraction have the same form: the new direction is
 // scale * d - shift * n, where shift is a function of d·n.
-RayDifferentials bent(const Ray& ray, const PositionDifferentials& moved, const V3f& normal,
-                      const NormalDifferentials& turned, float scale, float shift,
-                      float shift_by_cosine) {
+RayDifferentials bent(const DifferentialRay& ray, const PositionDifferentials& moved,
+                      const V3f& normal, const NormalDifferentials& turned, float scale,
+                      float shift, float shift_by_cosine) {
     const RayDifferentials& d = ray.differentials;
     const auto direction_by = [&](const V3f& direction, const V3f& normal_by) {
         const float cosine_by = direction.dot(normal) + ray.direction.dot(normal_by);
@@ -32,12 +32,12 @@ V3f perpendicular(const V3f& v) {
 
 }  // namespace
 
-RayDifferentials after_mirror(const Ray& ray, const PositionDifferentials& moved, const V3f& normal,
-                              const NormalDifferentials& turned) {
+RayDifferentials after_mirror(const DifferentialRay& ray, const PositionDifferentials& moved,
+                              const V3f& normal, const NormalDifferentials& turned) {
     return bent(ray, moved, normal, turned, 1.0F, 2.0F * ray.direction.dot(normal), 2.0F);
 }
 
-RayDifferentials after_refraction(const Ray& ray, const PositionDifferentials& moved,
+RayDifferentials after_refraction(const DifferentialRay& ray, const PositionDifferentials& moved,
                                   const V3f& normal, float eta, const NormalDifferentials& turned) {
     const float cosine = ray.direction.dot(normal);
     const float square = 1.0F - eta * eta * (1.0F - cosine * cosine);
@@ -49,7 +49,7 @@ RayDifferentials after_refraction(const Ray& ray, const PositionDifferentials& m
                 eta - eta * eta * cosine / refracted_cosine);
 }
 
-RayDifferentials after_rough(const Ray& ray, const PositionDifferentials& moved,
+RayDifferentials after_rough(const DifferentialRay& ray, const PositionDifferentials& moved,
                              const V3f& direction, float pdf, float scale) {
     constexpr float widest = 1.0F;
     const RayDifferentials& d = ray.differentials;
@@ -60,7 +60,7 @@ RayDifferentials after_rough(const Ray& ray, const PositionDifferentials& moved,
     return {moved.along_x, moved.along_y, width * across, width * direction.cross(across)};
 }
 
-RayDifferentials after_sample(const Ray& ray, const PositionDifferentials& moved,
+RayDifferentials after_sample(const DifferentialRay& ray, const PositionDifferentials& moved,
                               const BsdfSample& sample, float scale) {
     if (!sample.delta) {
         return after_rough(ray, moved, sample.to_light, sample.pdf, scale);

@@ -141,7 +141,7 @@ V3f Surface::start(const V3f& direction) const {
 
 V3f Surface::start_to_light() const { return position + rounding_out + offset * geometric_normal; }
 
-PositionDifferentials Surface::transfer(const Ray& ray) const {
+PositionDifferentials Surface::transfer(const DifferentialRay& ray) const {
     const float along_normal = ray.direction.dot(geometric_normal);
     const float length = (position - ray.origin).dot(ray.direction);
     const auto on_plane = [&](const V3f& origin, const V3f& direction) {

@@ -33,7 +33,7 @@ struct RayDifferentials {
 };
 
 /// A ray with unit direction.
-struct Ray {
+struct DifferentialRay {
     V3f origin;
     V3f direction;
     RayDifferentials differentials{};
@@ -100,7 +100,7 @@ struct Surface {
     [[nodiscard]] V3f start_to_light() const;
     /// The intersections of the neighbouring pixels' rays with the plane of the triangle, as
     /// differences.
-    [[nodiscard]] PositionDifferentials transfer(const Ray& ray) const;
+    [[nodiscard]] PositionDifferentials transfer(const DifferentialRay& ray) const;
     /// The footprint on the triangle.
     [[nodiscard]] TriangleFootprint triangle_footprint(const PositionDifferentials& moved) const;
     /// The smooth normal, bent to a normal in the tangent space of a use of a texture, whose z is
