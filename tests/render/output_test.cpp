@@ -328,6 +328,17 @@ TEST_F(Output, EveryDisplayFormatShowsTheSamePicture) {
     }
 }
 
+TEST_F(Output, FilesDoNotTellWhenTheyWereWritten) {
+    const Film film = light_and_display();
+    for (const DisplayFormat& format : display_formats()) {
+        const fs::path file = folder_ / ("a" + std::string(format.extension));
+        ASSERT_TRUE(write(film, file).empty()) << file;
+        OIIO::ImageSpec spec;
+        read(file, nullptr, &spec);
+        EXPECT_EQ(spec.find_attribute("DateTime"), nullptr) << file;
+    }
+}
+
 TEST_F(Output, APictureTooLargeForAFormatIsAnError) {
     const DisplayFormat* const webp = display_format("a.WebP");
     ASSERT_NE(webp, nullptr);

@@ -31,6 +31,8 @@ Result<std::vector<std::uint8_t>> OpenImageIo::encode(const Raster& raster,
         spec.attribute("Compression", "zip");
         // OpenImageIO 2.4 writes invalid files if it adds EXIF data to a file in memory.
         spec.attribute("tiff:write_exif", 0);
+        // Anything but a text keeps it from adding the time of writing.
+        spec.attribute("DateTime", 0);
     }
     std::vector<unsigned char> bytes;
     OIIO::Filesystem::IOVecOutput memory(bytes);
