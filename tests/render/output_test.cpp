@@ -14,6 +14,8 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include "film/files/exr_channels.hpp"
+#include "film/sums/film_arrays.hpp"
 #include "support.hpp"
 
 namespace balcony::render::test::output_test {
@@ -337,6 +339,18 @@ TEST_F(Output, FilesDoNotTellWhenTheyWereWritten) {
         read(file, nullptr, &spec);
         EXPECT_EQ(spec.find_attribute("DateTime"), nullptr) << file;
     }
+}
+
+TEST_F(Output, ExrOfAnyWidthNeedsLittleMemory) {
+    Film film = *make_film({.width = max_film_side, .height = 6, .data_layers = false});
+    film.passes.assign(film.tile_count(), 1);
+    film.sum.back() = Color4d(0.25, 0.5, 1.0, 1.0);
+    const ChannelValues values(channel_groups(film));
+    EXPECT_EQ(values.rows_at_once(film.width), 4U);
+    EXPECT_EQ(values.rows_at_once(64 * film.width), 1U);
+    EXPECT_EQ(values.rows_at_once(1), 64U);
+    ASSERT_TRUE(write(film, folder_ / "wide.exr").empty());
+    EXPECT_EQ(read(folder_ / "wide.exr").at(4 * film.sum.size() - 2), 1.0F);
 }
 
 TEST_F(Output, APictureTooLargeForAFormatIsAnError) {

@@ -108,6 +108,12 @@ ChannelValues::ChannelValues(const std::vector<ChannelGroup>& groups) : groups_(
     }
 }
 
+std::size_t ChannelValues::rows_at_once(std::size_t width) const {
+    constexpr std::size_t most_rows = 64;
+    constexpr std::size_t most_values = (std::size_t{64} << 20U) / sizeof(float);
+    return std::clamp(most_values / (width * channels_), std::size_t{1}, most_rows);
+}
+
 Diagnostic exr_failure(const std::filesystem::path& file, const std::exception& failed) {
     const bool out_of_memory = dynamic_cast<const std::bad_alloc*>(&failed) != nullptr;
     return error(Kind::environment,

@@ -40,6 +40,8 @@ class ChannelValues {
 public:
     explicit ChannelValues(const std::vector<ChannelGroup>& groups);
 
+    /// How many rows of a width to read at once: from 1 to 64, of at most 64 MiB if there are more.
+    [[nodiscard]] std::size_t rows_at_once(std::size_t width) const;
     /// A buffer for OpenEXR, valid until the next call. NaN becomes 0.
     [[nodiscard]] Imf::FrameBuffer read(const Film& film, const Region& region);
 

@@ -41,13 +41,12 @@ private:
     std::ofstream& stream_;
 };
 
-// Some rows at a time.
 void write_rows(const Film& film, Imf::OStream& stream) {
-    constexpr std::size_t rows_at_once = 64;
     const Region& window = film.window;
     const std::vector<ChannelGroup> groups = channel_groups(film);
     Imf::OutputFile output(stream, exr_header(film, window, groups));
     ChannelValues values(groups);
+    const std::size_t rows_at_once = values.rows_at_once(window.width);
     for (std::size_t first = 0; first < window.height; first += rows_at_once) {
         const Region band{window.x, window.y + first, window.width,
                           std::min(rows_at_once, window.height - first)};
