@@ -40,13 +40,19 @@ TEST(Range, RaysBeyondItHitNothing) {
     }
     rays.push_back({{0.1F, 0.2F, 1.0F}, down, static_cast<float>(nan)});
     rays.push_back({{0.1F, 0.2F, 1.0F}, down, -1.0F});
-    std::vector<embree::Hit> hits(rays.size());
-    const std::vector<std::uint8_t> active(rays.size(), 1);
-    accelerator->intersect_grid(rays.size(), rays, active, hits);
+    embree::Packet packet;
+    ASSERT_LE(rays.size(), embree::Packet::size);
     for (std::size_t i = 0; i < rays.size(); ++i) {
-        EXPECT_EQ(hits[i].any(), i == 0) << i;
+        packet.set(i, rays[i]);
+    }
+    accelerator->intersect(std::span(&packet, 1));
+    std::vector<float> transmittances(rays.size());
+    accelerator->transmittance(rays, Opaque(), transmittances);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        EXPECT_EQ(packet.hit(i).any(), i == 0) << i;
         EXPECT_EQ(accelerator->intersect(rays[i]).any(), i == 0) << i;
         EXPECT_EQ(accelerator->transmittance(rays[i], Opaque()), i == 0 ? 0.0F : 1.0F) << i;
+        EXPECT_EQ(transmittances[i], i == 0 ? 0.0F : 1.0F) << i;
     }
     EXPECT_FALSE(
         accelerator->intersect({{0.0F, 0.0F, embree::max_coordinate}, along_x(1.0F)}).any());

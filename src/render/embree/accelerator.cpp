@@ -180,31 +180,12 @@ RTCRayHit to_ray_hit(const Ray& ray) {
     return query;
 }
 
-float away_from_zero(float component) {
-    return std::copysign(std::max(std::fabs(component), min_component), component);
-}
-
 static_assert(Packet::size == 16 && sizeof(Packet) % alignof(RTCRayHit16) == 0 &&
               offsetof(Packet, valid) == sizeof(RTCRayHit16) &&
               offsetof(Packet, farthest) == offsetof(RTCRayHit16, ray.tfar) &&
               offsetof(Packet, normal_x) == offsetof(RTCRayHit16, hit.Ng_x) &&
               offsetof(Packet, geometry) == offsetof(RTCRayHit16, hit.geomID) &&
               offsetof(Packet, placement) == offsetof(RTCRayHit16, hit.instID));
-
-void set_lane(RTCRay16& packet, std::size_t lane, const Ray& ray) {
-    packet.org_x[lane] = ray.origin.x;
-    packet.org_y[lane] = ray.origin.y;
-    packet.org_z[lane] = ray.origin.z;
-    packet.tnear[lane] = 0.0F;
-    packet.dir_x[lane] = away_from_zero(ray.direction.x);
-    packet.dir_y[lane] = away_from_zero(ray.direction.y);
-    packet.dir_z[lane] = away_from_zero(ray.direction.z);
-    packet.time[lane] = ray.time;
-    packet.tfar[lane] = ray.farthest;
-    packet.mask[lane] = 0xffffffffU;
-    packet.id[lane] = static_cast<unsigned>(lane);
-    packet.flags[lane] = 0;
-}
 
 // What there is to build, in triangles and instances.
 struct Sizes {
@@ -377,42 +358,6 @@ void Accelerator::intersect(std::span<Packet> packets) const {
     }
 }
 
-void Accelerator::intersect_grid(std::size_t width, std::span<const Ray> rays,
-                                 std::span<const std::uint8_t> active, std::span<Hit> hits) const {
-    const std::size_t height = rays.size() / width;
-    std::array<Packet, 2> pair;
-    for (std::size_t top = 0; top < height; top += Packet::side) {
-        for (std::size_t left = 0; left < width; left += pair_width) {
-            const std::size_t right = std::min(left + pair_width, width);
-            // Calls visit(i, packet, lane).
-            const auto for_each_lane = [&](const auto& visit) {
-                for (std::size_t y = top; y < std::min(top + Packet::side, height); ++y) {
-                    for (std::size_t x = left; x < right; ++x) {
-                        visit(y * width + x, pair[(x - left) / Packet::side],
-                              (y - top) * Packet::side + (x - left) % Packet::side);
-                    }
-                }
-            };
-            bool any = false;
-            pair[0].valid.fill(0);
-            pair[1].valid.fill(0);
-            for_each_lane([&](std::size_t i, Packet& packet, std::size_t lane) {
-                if (active[i] != 0) {
-                    packet.set(lane, rays[i]);
-                    any = true;
-                }
-            });
-            if (any) {
-                const std::size_t packets = right - left > Packet::side ? 2 : 1;
-                intersect(std::span(pair).first(packets));
-            }
-            for_each_lane([&](std::size_t i, const Packet& packet, std::size_t lane) {
-                hits[i] = active[i] != 0 ? packet.hit(lane) : Hit{};
-            });
-        }
-    }
-}
-
 float Accelerator::transmittance(const Ray& ray, const OpacitySource& opacities) const {
     if (!state_->traceable(ray)) {
         return 1.0F;
@@ -427,20 +372,20 @@ float Accelerator::transmittance(const Ray& ray, const OpacitySource& opacities)
 
 void Accelerator::transmittance(std::span<const Ray> rays, const OpacitySource& opacities,
                                 std::span<float> results) const {
-    alignas(64) std::array<int, packet_size> valid{};
-    RTCRay16 packet{};
+    Packet packet;
     for (std::size_t lane = 0; lane < rays.size(); ++lane) {
+        packet.set(lane, rays[lane]);
+        packet.id[lane] = static_cast<std::uint32_t>(lane);
         results[lane] = 1.0F;
-        if (state_->traceable(rays[lane])) {
-            valid[lane] = -1;
-            set_lane(packet, lane, rays[lane]);
-        }
     }
+    prepare(std::span(&packet, 1), state_->reach);
+    const Packet::Floats lengths = packet.farthest;
     ShadowQuery query{{}, &opacities, results};
     rtcInitIntersectContext(&query.context);
-    rtcOccluded16(valid.data(), state_->world.get(), &query.context, &packet);
+    rtcOccluded16(packet.valid.data(), state_->world.get(), &query.context,
+                  reinterpret_cast<RTCRay16*>(&packet));
     for (std::size_t lane = 0; lane < rays.size(); ++lane) {
-        if (valid[lane] != 0 && packet.tfar[lane] < 0.0F) {
+        if (lengths[lane] >= 0.0F && packet.farthest[lane] < 0.0F) {
             results[lane] = 0.0F;
         }
     }

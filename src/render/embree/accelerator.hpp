@@ -25,12 +25,6 @@ namespace balcony::render::embree {
 /// finite, hits nothing and transmits all light.
 class Accelerator {
 public:
-    /// Rays of a grid are traced together in packets, and pairs of neighbouring packets of a row,
-    /// from the first on.
-    static constexpr std::size_t packet_side = Packet::side;
-    static constexpr std::size_t packet_size = Packet::size;
-    static constexpr std::size_t pair_width = 2 * packet_side;
-
     /// Builds the structure. An instance that Embree cannot handle (without a finite affine matrix,
     /// or with a vertex beyond max_coordinate) is skipped with a warning that names its object; a
     /// scene with invalid indices and a lack of memory are errors. What moves is where it stands at
@@ -59,16 +53,11 @@ public:
     /// than their rounding error, and rays that cannot be traced become others that hit nothing.
     void intersect(std::span<Packet> packets) const;
 
-    /// The nearest hits of a grid of neighbouring rays, given row by row; active[i] says whether
-    /// ray i is to be traced. Much faster than one after another.
-    void intersect_grid(std::size_t width, std::span<const Ray> rays,
-                        std::span<const std::uint8_t> active, std::span<Hit> hits) const;
-
     /// The transmittance between a ray's origin and its end; looks up the opacity of surfaces whose
     /// material is not opaque.
     [[nodiscard]] float transmittance(const Ray& ray, const OpacitySource& opacities) const;
 
-    /// The same for at most packet_size rays together: faster if their directions are similar.
+    /// The same for at most Packet::size rays together: faster if their directions are similar.
     /// Where a ray touches an edge, the others may decide whether it hits.
     void transmittance(std::span<const Ray> rays, const OpacitySource& opacities,
                        std::span<float> results) const;

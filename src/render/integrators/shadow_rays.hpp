@@ -55,7 +55,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t packet_size = embree::Accelerator::packet_size;
+    static constexpr std::size_t packet_size = embree::Packet::size;
 
     template <class Receive>
     static void visit(const ShadowedLight& one, float transmittance, const Receive& receive) {

@@ -56,6 +56,20 @@ void for_each_ray(const rays::RayBatch& rays, const Square& square, const Visit&
     }
 }
 
+/// Calls visit(square of the first one, packets) for the packets side by side that cover a tile, at
+/// most so many at once as are given.
+template <class Visit>
+void for_each_run(std::size_t width, std::size_t height, std::span<embree::Packet> packets,
+                  const Visit& visit) {
+    constexpr std::size_t side = embree::Packet::side;
+    for (std::size_t top = 0; top < height; top += side) {
+        for (std::size_t left = 0; left < width; left += packets.size() * side) {
+            const std::size_t number = std::min((width - left + side - 1) / side, packets.size());
+            visit(Square{width, left, top}, packets.first(number));
+        }
+    }
+}
+
 /// Sets packets side by side, of which the first has this square; `valid` as traceable(). `time` is
 /// that of all rays, unless they have their own times, which are from 0 to 1 over the interval.
 void set_packets(const rays::RayBatch& rays, const Square& square,

@@ -68,24 +68,13 @@ TileTracer::TileTracer(const TracedScene& traced, const Settings& settings,
       integrator_(integrator.make(traced, settings)),
       light_tracer_(integrator_->light_tracer()) {}
 
-template <class Visit>
-void TileTracer::for_each_run(const Region& region, const Visit& visit) {
-    constexpr std::size_t side = embree::Packet::side;
-    for (std::size_t top = 0; top < region.height; top += side) {
-        for (std::size_t left = 0; left < region.width; left += packets_at_once * side) {
-            const std::size_t number =
-                std::min((region.width - left + side - 1) / side, packets_at_once);
-            visit(Square{region.width, left, top}, std::span(packets_).first(number));
-        }
-    }
-}
-
 void TileTracer::trace(const TilePoints& points, const TileRays& rays, const Mask& wanted) {
     indices_.clear();
     requested_.clear();
     const PixelGroups groups(points.region, points.pass);
     std::uint32_t number = 0;
-    for_each_run(points.region, [&](const Square& first, std::span<embree::Packet> packets) {
+    const Region& region = points.region;
+    for_each_run(region.width, region.height, packets_, [&](const Square& first, auto packets) {
         set_packets(rays.all, first, rays.interval, rays.time, packets);
         std::array<LaneBits, packets_at_once> lanes{};
         for (std::size_t k = 0; k < packets.size(); ++k) {
@@ -141,7 +130,7 @@ RayCounts TileTracer::trace_light(const Region& region, const Region& counted, c
                                   std::span<Color4f> radiance) {
     const Region within = both(region, counted);
     RayCounts counts{.camera_rays = within.size()};
-    for_each_run(region, [&](const Square& first, std::span<embree::Packet> packets) {
+    for_each_run(region.width, region.height, packets_, [&](const Square& first, auto packets) {
         set_packets(rays.all, first, rays.interval, rays.time, packets);
         traced_->accelerator.intersect(packets);
         SquareDifferentials differentials(rays.all, footprint_scale_, first, differentials_);

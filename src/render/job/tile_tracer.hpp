@@ -77,9 +77,6 @@ private:
     // Requests the rays of a packet with their first hits.
     void request(const TilePoints& points, const TileRays& rays, const Square& square,
                  const embree::Packet& packet, std::uint32_t number, const PixelGroups& groups);
-    // Calls visit(square of the first one, packets) for packets side by side that cover a region.
-    template <class Visit>
-    void for_each_run(const Region& region, const Visit& visit);
 
     const TracedScene* traced_;
     double footprint_scale_;

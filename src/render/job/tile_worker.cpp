@@ -17,7 +17,7 @@ namespace {
 // whole picture: rays are traced in pairs of packets, and if two triangles are equally near, the
 // other rays of a pair may determine which one is found.
 Region traced_part(const Region& tile, const Region& window) {
-    using embree::Accelerator;
+    using embree::Packet;
     const auto part = [](std::size_t step, std::size_t begin, std::size_t side, std::size_t from,
                          std::size_t to) {
         const std::size_t first = from > begin ? (from - begin) / step * step : 0;
@@ -26,9 +26,9 @@ Region traced_part(const Region& tile, const Region& window) {
         return std::pair(begin + first, last - first);
     };
     const auto [x, width] =
-        part(Accelerator::pair_width, tile.x, tile.width, window.x, window.x + window.width);
+        part(2 * Packet::side, tile.x, tile.width, window.x, window.x + window.width);
     const auto [y, height] =
-        part(Accelerator::packet_side, tile.y, tile.height, window.y, window.y + window.height);
+        part(Packet::side, tile.y, tile.height, window.y, window.y + window.height);
     return {x, y, width, height};
 }
 

@@ -4,6 +4,7 @@
 #include "balcony/probe.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <utility>
 
@@ -116,24 +117,28 @@ private:
 
     // Marks the objects that the rays of a tile hit.
     void look(const RayTile& tile, bool measure) {
-        std::vector<embree::Ray> rays(tile.size());
-        std::vector<std::uint8_t> active(tile.size());
-        std::vector<Hit> hits(tile.size());
-        for (std::size_t i = 0; i < tile.size(); ++i) {
-            active[i] = traceable(tile.rays, i) ? 1 : 0;
-            rays[i] = active[i] != 0 ? ray_of(tile, i) : embree::Ray{};
-        }
-        scene_.traced().accelerator.intersect_grid(tile.width, rays, active, hits);
-        for (std::size_t i = 0; i < tile.size(); ++i) {
-            probe_.rays += measure && active[i] != 0 ? 1U : 0U;
-            if (active[i] == 0 || !hits[i].any()) {
-                continue;
+        for_each_run(tile.width, tile.height, packets_, [&](const Square& first, auto packets) {
+            set_packets(tile.rays, first, {}, 0.0F, packets);
+            for (embree::Packet& packet : packets) {
+                packet.time.fill(scene_.time());
             }
-            if (measure) {
-                distances_.push_back((scene_.place(hits[i]) - rays[i].origin).length());
+            scene_.traced().accelerator.intersect(packets);
+            for (std::size_t k = 0; k < packets.size(); ++k) {
+                for_each_ray(tile.rays, first.beside(k), [&](std::size_t i, std::size_t lane) {
+                    if (packets[k].valid[lane] != 0) {
+                        look(ray_of(tile, i), packets[k].hit(lane), measure);
+                    }
+                });
             }
-            follow(rays[i], hits[i]);
+        });
+    }
+
+    void look(const embree::Ray& ray, const Hit& hit, bool measure) {
+        probe_.rays += measure ? 1 : 0;
+        if (measure && hit.any()) {
+            distances_.push_back((scene_.place(hit) - ray.origin).length());
         }
+        follow(ray, hit);
     }
 
     void follow(embree::Ray ray, Hit hit) {
@@ -205,6 +210,7 @@ private:
     const ProbedScene& scene_;
     const rays::RayProgram& program_;
     rays::Scratch scratch_;
+    std::array<embree::Packet, 2> packets_;  // Side by side.
     ProbeSettings settings_;
     std::stop_token stop_;
     const PartDone& progress_;

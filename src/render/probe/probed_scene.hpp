@@ -22,7 +22,8 @@ public:
     [[nodiscard]] const TracedScene& traced() const { return *traced_; }
     [[nodiscard]] const scene::Scene& scene() const { return *scene_; }
 
-    /// A ray that meets the scene as it stands.
+    /// That of rays that meet the scene as it stands.
+    [[nodiscard]] float time() const { return time_; }
     [[nodiscard]] embree::Ray ray(const scene::V3f& origin, const scene::V3f& direction) const {
         return {.origin = origin, .direction = direction, .time = time_};
     }
