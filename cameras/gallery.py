@@ -6,7 +6,7 @@ Usage: gallery.py page BALCONY
        gallery.py options BALCONY SCENE [NAME...]
 
 `page` prints the page. `options` prints for each camera, or each of these names, its name and what the
-render of its picture of a scene needs besides --fit, as cameras/gallery.txt has it. To be run in the
+render of its picture of a scene needs, as cameras/gallery.txt has it. To be run in the
 repository.
 """
 
@@ -19,7 +19,7 @@ from pathlib import Path
 INTRODUCTION = """# Gallery
 
 What the built-in cameras see in a furnished room, 7 by 5 metres, and in a street. Each stands where
-`--fit` places it:
+the scene places it:
 
 ```sh
 balcony list cameras                            # all of them, with a line on what each is for
@@ -27,7 +27,7 @@ balcony list little_planet                      # one of them, with its paramete
 ```
 
 ```
-balcony render room.glb --camera little_planet --fit -o planet.png
+balcony render room.glb --camera little_planet -o planet.png
 ```
 
 `scripts/gallery` makes this page and its pictures. The scenes are those of `build_scene room` and

@@ -81,6 +81,17 @@ struct MissText {
 
 [[nodiscard]] MissText miss_text(const render::Miss& miss, const camera::Camera& camera);
 
+/// An object in which rays of a camera start.
+struct StartInside {
+    std::string object;
+    double share = 0.0;          ///< The fraction of the rays.
+    Imath::V2d point{0.0};       ///< An example of a position in the probed picture, in pixels.
+    bool is_around_all = false;  ///< All rays start in it, so it is probably a room.
+};
+
+[[nodiscard]] std::vector<StartInside> starts_inside(const render::Probe& probe,
+                                                     const scene::Scene& scene);
+
 /// A request to locate points.
 struct PointSearch {
     const camera::Picture& picture;

@@ -37,7 +37,8 @@ struct SceneMeasures {
     std::vector<std::array<double, 2>> profile{{1.42, -1.0}, {1.42, 1.0}};
 };
 
-/// A parameter that a `fit` statement has set.
+/// A parameter that a `fit` statement has set, unless an override or a layer gives it another
+/// value.
 struct FittedParameter {
     std::string camera;
     std::string name;
@@ -198,7 +199,7 @@ public:
     /// Cameras and pictures that are made from now on are fitted to a scene: their `fit` statements
     /// replace the defaults of parameters. Without a scene, they are made as they are written.
     void fit_to(std::optional<SceneMeasures> scene);
-    /// What `fit` statements have set in the last make_picture().
+    /// The parameters with `fit` statements in the last make_picture(), with the values they have.
     [[nodiscard]] const std::vector<FittedParameter>& fitted() const;
 
     /// The files on the disk that were read or looked for since the last reload(): camera files,

@@ -39,7 +39,9 @@ namespace balcony::app {
 /// Only --checkpoint-every and --film-memory.
 [[nodiscard]] Options<JobRequest> safety_options();
 
-/// Of what is rendered, and through which camera: --add, --camera, --set, --fit and --fit-to
+/// --fit, --no-fit and --fit-to
+[[nodiscard]] Options<Placement> placement_options();
+/// Of what is rendered, and through which camera: --add, --camera, --set and its placement
 [[nodiscard]] Options<Request> scene_options();
 /// Of what a picture looks like: its size and part, its light and its colours.
 [[nodiscard]] Options<Request> picture_options();

@@ -114,6 +114,19 @@ struct JobRequest {
     [[nodiscard]] double film_bytes() const;
 };
 
+/// Where a camera of a file stands in a scene.
+struct Placement {
+    /// Whether the camera is placed by the size of the scene, as its file says; if empty, whether
+    /// it is built in.
+    std::optional<bool> fit{};
+    std::string fit_to{};  ///< By the size of an object of the scene, if it is not empty.
+
+    /// Whether it was asked for in words.
+    [[nodiscard]] bool is_demanded() const { return fit.value_or(!fit_to.empty()); }
+    /// Whether the scene places a camera that is named as in Request::camera.
+    [[nodiscard]] bool places(const std::string& camera) const;
+};
+
 /// A picture of a scene through a camera.
 struct Request {
     std::string scene;                 ///< The name of a scene file.
@@ -122,8 +135,7 @@ struct Request {
     /// empty, the first camera of the scene, or one that shows it well.
     std::string camera{};
     std::vector<std::string> set{};  ///< Values of the camera's parameters: "gamma=1/2".
-    bool fit = false;                ///< Place the camera by the size of the scene.
-    std::string fit_to{};            ///< By that of an object of the scene, if it is not empty.
+    Placement placement{};
 
     SizeRequest size{};
     Crop crop{};
@@ -147,7 +159,6 @@ struct Request {
     JobRequest job{};
     std::filesystem::path output{};
 
-    [[nodiscard]] bool is_fitted() const { return fit || !fit_to.empty(); }
     [[nodiscard]] render::ViewTransform view_transform() const;
 };
 

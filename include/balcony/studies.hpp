@@ -41,6 +41,7 @@ struct CheckRequest {
     /// Files, whose cameras are all checked, and single cameras or pictures.
     std::vector<std::string> files{};
     std::vector<std::string> set{};  ///< Values of parameters: "gamma=1/2".
+    Placement placement{};           ///< In the scene, if there is one.
     /// The number of a layer of the only picture: 1 is at the back, 3.1 is in the picture of layer
     /// 3. All layers if it is empty.
     std::string layer{};
@@ -66,16 +67,10 @@ struct CameraCheck {
     bool by_itself = true;  ///< Whether it was also asked for on its own.
     std::vector<Layer> layers{};
 
-    struct Start {
-        std::string object;
-        double share = 0.0;  ///< The fraction of the rays.
-        analyse::V2d point;  ///< An example of a position in the picture.
-        bool room = false;   ///< All rays start in it, so it is probably a room.
-    };
     struct InScene {
         std::string scene;
         std::vector<std::string> never_seen{};
-        std::vector<Start> starts_inside{};
+        std::vector<StartInside> starts_inside{};
         std::optional<MissText> miss{};  ///< If no ray meets anything.
     };
     std::optional<InScene> in_scene{};
@@ -117,6 +112,7 @@ struct CheckObserver {
 struct LocateRequest {
     std::string camera;              ///< With a scene also scene:NAME.
     std::vector<std::string> set{};  ///< Values of parameters: "gamma=1/2".
+    Placement placement{};           ///< In the scene, if there is one.
     SizeRequest size{};
     double time = 0.0;
     std::optional<Axes> axes{};  ///< Of the points; if empty, those of the scene or the camera.

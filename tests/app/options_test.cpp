@@ -19,6 +19,7 @@ const std::map<std::string, std::pair<std::string, std::string>>& examples() {
         {"--camera", {"my.cam:closeup", ""}},
         {"--set", {"fov=60deg", ""}},
         {"--fit", {"true", ""}},
+        {"--no-fit", {"true", ""}},
         {"--fit-to", {"vase", ""}},
         {"--time", {"0.5", ""}},
         {"--shutter", {"1/50", "0.02"}},

@@ -82,6 +82,7 @@ TEST_F(StudiesTest, WhatCannotBeAskedIsUsageAndNothingIsRead) {
 TEST_F(StudiesTest, APointBehindAWallIsHiddenByIt) {
     const auto located = locate({.camera = "pinhole",
                                  .set = {"yaw=90deg"},
+                                 .placement = {.fit = false},
                                  .size = {.width = 200, .height = 100},
                                  .scene = wall(),
                                  .points = {{0.0, 0.0, -1.0}, {0.0, 0.0, -3.0}, {0.0, 0.0, 1.0}}});

@@ -1,6 +1,6 @@
 # Balcony: rendering through extended cameras.
 # SPDX-License-Identifier: Apache-2.0
-"""--fit and --fit-to: cameras that are placed by the size of the scene."""
+"""Cameras that the scene places: built-in ones, and others with --fit or --fit-to."""
 
 import support
 
@@ -53,6 +53,43 @@ class Fit(support.CommandTest):
         self.assertEqual(self.fitted(), {})
         self.assertEqual(self.fitted("--fit"), {"width": "4.123", "px": "0", "py": "-0.5"})
 
+    def test_built_in_cameras_are_placed_unless_they_are_not_to_be(self):
+        def hits(*words):
+            facts = self.json_of("render", "tiles.obj", "--camera", "panorama", "--size", "32",
+                                 "-s", "1", "-o", "out.png", *words)
+            return facts["layers"][0]["hits"], {one["name"]: one["value"] for one in facts["fitted"]}
+
+        placed, where = hits()
+        self.assertGreater(placed, 0)
+        self.assertEqual(set(where), {"px", "py", "pz"})
+        self.assertGreater(where["pz"], 0)
+        self.assertEqual(hits("--fit"), (placed, where))
+        self.assertEqual(hits("--no-fit")[1], {})
+        self.assertEqual(hits("--set", "pz=7")[1], {**where, "pz": 7})
+        # A file of that name is one's own.
+        (self.folder / "panorama").write_text(CAMERA)
+        self.assertEqual(hits()[1], {})
+
+    def test_check_and_locate_place_what_render_places(self):
+        def located(*words):
+            facts = self.json_of("locate", "panorama", "--scene", "tiles.obj", "--axes", "z_up",
+                                 "--point", "10,0,0", "--size", "3600", *words)
+            return facts["points"][0]["sightings"][0]["y"]
+
+        # Level with the eye, or at its feet.
+        self.assertGreater(located(), located("--no-fit") + 0.01)
+        self.assertAlmostEqual(located("--no-fit"), 900, places=6)
+
+        def never_seen(*words):
+            facts = self.json_of("check", "--scene", "tiles.obj", "--size", "16", *words)
+            return facts["files"][0]["reports"][0]["in_scene"]["never_seen"]
+
+        own = ("plan.cam:plan", "--set", "px=90")
+        self.assertEqual(never_seen(*own), ["slab", "tile"])
+        self.assertEqual(never_seen("plan.cam:plan", "--fit"), [])
+        self.assertEqual(never_seen("plan.cam:plan", "--fit-to", "tile"), ["slab"])
+        self.assertEqual(never_seen("plan.cam:plan", "--fit", "--set", "px=90"), ["slab", "tile"])
+
     def test_an_object(self):
         self.assertEqual(self.fitted("--fit-to", "tile"),
                          {"width": "1.414", "px": "1.5", "py": "-0.5"})
@@ -76,6 +113,65 @@ class Fit(support.CommandTest):
                      says="--fit needs a camera", helps="--camera")
         self.refused(*render, "scene:", "--fit", code=2, says="--fit needs a camera",
                      helps="--camera")
+        self.refused(*render, "plan.cam:plan", "--no-fit", "--fit-to", "tile", code=2,
+                     says="--no-fit contradicts --fit-to", helps="leave out one")
+        for command in (("check", "panorama"), ("locate", "panorama", "--point", "1,2,3")):
+            self.refused(*command, "--fit", code=2, says="there is none", helps="--scene")
+        # Before the scene is read.
+        self.refused("render", "nowhere.obj", "--camera", "panorama", "--set", "nix=1", code=1,
+                     says="'nix'")
+
+
+# A closed box that faces outwards, around the origin, and a triangle outside.
+BOX = """o box
+v -1 -1 -1
+v 1 -1 -1
+v 1 1 -1
+v -1 1 -1
+v -1 -1 1
+v 1 -1 1
+v 1 1 1
+v -1 1 1
+f 1 4 3 2
+f 5 6 7 8
+f 1 2 6 5
+f 2 3 7 6
+f 3 4 8 7
+f 4 1 5 8
+o sail
+v 3 0 0
+v 4 0 0
+v 3 2 0
+f 9 10 11
+"""
+
+
+class RaysThatStartInside(support.CommandTest):
+    WARNING = "rays of camera 'rows' start in closed objects"
+
+    def told(self, camera, scene=BOX):
+        (self.folder / "box.obj").write_text(scene)
+        (self.folder / "rows.cam").write_text("camera rows {\n    map u = -4 .. 4, v = square\n"
+                                              f"    eye {camera}\n    look along(x)\n}}\n")
+        return self.run_command("render", "box.obj", "-c", "rows.cam", "--size", "64", "-s", "1",
+                                "-o", "out.png")[1]
+
+    def test_the_object_is_named_with_its_share(self):
+        # The picture shows 8 by 4.5, the box is 2 by 2.
+        said = self.told("surface(u, v) = [0, u, v]")
+        self.assertIn(self.WARNING, said)
+        self.assertIn("11.1 % in 'box'", said)
+        self.assertIn("--set", said)
+
+    def test_rays_that_start_in_the_open_are_fine(self):
+        self.assertNotIn(self.WARNING, self.told("surface(u, v) = [-5, u, v]"))
+
+    def test_a_room_is_no_trap(self):
+        alone = self.told("surface(u, v) = [0, u/9, v/9]")
+        self.assertIn("100 % in 'box'", alone)
+        furnished = BOX.replace("v 3 0 0", "v 0.5 0 -0.9").replace("v 4 0 0", "v 0.5 0.5 -0.9")
+        furnished = furnished.replace("v 3 2 0", "v 0.5 0 0.9")
+        self.assertNotIn(self.WARNING, self.told("surface(u, v) = [0, u/9, v/9]", furnished))
 
 
 if __name__ == "__main__":

@@ -116,7 +116,7 @@ class Locate(support.CommandTest):
             "o door\nv 5 -1 -9\nv 5 9 -9\nv 5 9 1\nv 5 -1 1\nf 1 2 3 4\n")
         words = ("pinhole", "--set", "fov=90deg", "--size", "200")
         (own,) = self.located(*words, "--point", "10,1,2")
-        scene = ("--scene", "upright.obj")
+        scene = ("--scene", "upright.obj", "--no-fit")
         for point, axes in (("10,2,-1", ()), ("10,2,-1", ("--axes", "y_up")),
                             ("10,1,2", ("--axes", "z_up"))):
             (same,) = self.located(*words, *scene, "--point", point, *axes)

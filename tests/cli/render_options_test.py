@@ -184,7 +184,7 @@ class Options(support.CommandTest):
     def test_an_added_scene_joins_the_picture(self):
         away = ("--set", "px=1000")
         self.run_command("draw", "pinhole", *away, "-o", "arrows.glb")
-        options = ("render", "scene.obj", "-c", "pinhole", *away, "--size", "64x32", "-s", "1",
+        options = ("render", "scene.obj", "-c", "pinhole", "--no-fit", *away, "--size", "64x32", "-s", "1",
                    "-o", "p.png")
         alone = self.json_of(*options)["layers"][0]["hits"]
         both = self.json_of(*options, "--add", "arrows.glb")["layers"][0]["hits"]

@@ -136,7 +136,7 @@ def mesh():
 
 class Slides(support.CommandTest):
     def rendered(self, scene, camera, size):
-        self.run_command("render", scene, "--camera", camera, "--size", size, "-s", "9",
+        self.run_command("render", scene, "--camera", camera, "--no-fit", "--size", size, "-s", "9",
                          "--integrator", "direct", "--exposure", "0", "--view-transform", "standard",
                          "-o", "out.png", *(["--set", "fov=40deg"] if camera == "pinhole" else []))
         return self.folder / "out.png"

@@ -7,9 +7,9 @@
 #include <chrono>
 #include <utility>
 
+#include "app/inputs/placement.hpp"
 #include "app/words.hpp"
 #include "balcony/inputs.hpp"
-#include "balcony/probe.hpp"
 #include "balcony/rays.hpp"
 
 namespace balcony::app {
@@ -64,18 +64,15 @@ public:
     // A camera loads fast, so its mistakes are reported before a large scene is read.
     std::optional<camera::Picture> picture() {
         const bool of_file = !request_.camera.empty() && !is_of_scene(request_.camera);
-        if (request_.is_fitted() && !fit_cameras()) {
-            return std::nullopt;
-        }
+        const bool is_placed = of_file && request_.placement.places(request_.camera);
+        loaded_.cameras.fit_to({});
         Result<camera::Picture> picture;
         if (of_file) {
             picture = load_picture(request_.camera, request_.set, loaded_.cameras);
-            add(found_, picture.diagnostics);
-            if (picture && request_.is_fitted() && loaded_.cameras.fitted().empty()) {
-                found_.push_back(error(
-                    "the camera has no fit statement, so --fit cannot place it", {},
-                    "leave out --fit, or add a statement such as fit (px, py, pz) = scene_inside"));
+            if (picture && is_placed) {
+                picture = placed_picture();
             }
+            add(found_, picture.diagnostics);
         }
         if (has_errors(found_) || !prepare(picture.value)) {
             return std::nullopt;
@@ -130,28 +127,25 @@ private:
         return loaded_.renderer.has_value();
     }
 
-    // Fits the cameras that a workspace makes to the scene, or to its object that is named.
-    bool fit_cameras() {
+    // The camera of a file where the scene places it.
+    Result<camera::Picture> placed_picture() {
         if (!prepare(std::nullopt)) {
-            return false;
+            return Diagnostics{};
         }
-        const Result<render::SceneExtent> extent =
-            render::measure_scene(*loaded_.renderer, request_.fit_to, stop_);
-        add(found_, extent.diagnostics);
-        if (!extent) {
-            return false;
+        Diagnostics found =
+            fit_cameras(loaded_.cameras, request_.placement, *loaded_.renderer, stop_);
+        if (has_errors(found)) {
+            return found;
         }
-        const auto point = [](const Imath::V3d& p) { return std::array{p.x, p.y, p.z}; };
-        lang::SceneMeasures measures{.min = point(extent->bounds.min),
-                                     .max = point(extent->bounds.max),
-                                     .inside = point(extent->inside),
-                                     .radius = extent->radius,
-                                     .profile = {}};
-        for (const Imath::V2d& p : extent->profile) {
-            measures.profile.push_back({p.x, p.y});
+        Result<camera::Picture> picture =
+            load_picture(request_.camera, request_.set, loaded_.cameras);
+        add(picture.diagnostics, found);
+        if (picture && request_.placement.is_demanded() && loaded_.cameras.fitted().empty()) {
+            return error(
+                "the camera has no fit statement, so --fit cannot place it", {},
+                "leave out --fit, or add a statement such as fit (px, py, pz) = scene_inside");
         }
-        loaded_.cameras.fit_to(std::move(measures));
-        return !has_errors(found_);
+        return picture;
     }
 
     const Request& request_;

@@ -9,8 +9,23 @@
 
 namespace balcony::app {
 
+Options<Placement> placement_options() {
+    return {{flag({.name = "--fit",
+                   .meaning = "place the camera by the size of the scene, as its file says; "
+                              "--set still sets parameters (default: built-in cameras)"},
+                  true, &Placement::fit),
+             flag({.name = "--no-fit",
+                   .meaning = "the camera stands where its file says, also a built-in one"},
+                  false, &Placement::fit),
+             option({.name = "--fit-to",
+                     .placeholder = "OBJECT",
+                     .meaning = "place the camera by the size of an object of the scene, such as "
+                                "a vase"},
+                    text(), &Placement::fit_to)}};
+}
+
 Options<Request> scene_options() {
-    return {
+    Options<Request> made{
         {words({.name = "--add",
                 .placeholder = "SCENE",
                 .meaning = "another scene file, which joins each scene: the arrows of a camera by "
@@ -24,15 +39,9 @@ Options<Request> scene_options() {
                             "last), or a built-in camera; scene:NAME is a camera of the scene "
                             "(default: its first, or one that shows the scene well)"},
                 text(OptionType::camera), &Request::camera),
-         set_option(&Request::set),
-         flag({.name = "--fit",
-               .meaning = "place the camera by the size of the scene, as its file says; "
-                          "--set still sets parameters"},
-              true, &Request::fit),
-         option({.name = "--fit-to",
-                 .placeholder = "OBJECT",
-                 .meaning = "the same by the size of an object of the scene, such as a vase"},
-                text(), &Request::fit_to)}};
+         set_option(&Request::set)}};
+    made.add(&Request::placement, placement_options());
+    return made;
 }
 
 Options<Request> picture_options() {

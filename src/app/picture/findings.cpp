@@ -4,9 +4,11 @@
 #include "app/picture/findings.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "app/words.hpp"
 #include "balcony/inputs.hpp"
@@ -15,13 +17,19 @@ namespace balcony::app {
 
 namespace {
 
+/// "camera 'pinhole'", or "layer 'inset'" of several.
+std::string name_of_layer(const render::Summary& summary, std::size_t index) {
+    return fmt::format("{} '{}'", summary.layers.size() == 1 ? "camera" : "layer",
+                       printable(summary.layers[index].name));
+}
+
 /// Reports where a layer has no ray.
 void describe_gaps(Report& report, const Shown& film, const render::Summary& summary) {
     const bool single = summary.layers.size() == 1;
     const std::string_view shown = film.has_background ? "show the background" : "are transparent";
     for (const render::Summary::Layer& layer : summary.layers) {
         const std::string what =
-            fmt::format("{} '{}'", single ? "camera" : "layer", printable(layer.name));
+            name_of_layer(summary, static_cast<std::size_t>(&layer - summary.layers.data()));
         if (layer.invalid_rays == 0) {
             continue;
         }
@@ -56,6 +64,68 @@ void describe_motion(Report& report, const render::Summary& summary) {
     }
 }
 
+// Why no ray of a layer meets anything.
+void describe_miss(Report& report, const Loaded& loaded, const camera::ShownCamera& shown,
+                   std::size_t index, std::pair<std::size_t, std::size_t> size) {
+    const render::Summary& summary = report.summary;
+    const Result<render::Miss> miss = render::explain_miss(
+        *loaded.renderer, shown.camera,
+        {.width = size.first, .height = size.second, .time = loaded.settings.time});
+    report.misses.push_back({index, miss.value});
+    const MissText text = miss ? miss_text(*miss, shown.camera) : MissText{};
+    report.diagnostics.push_back(
+        warning(fmt::format("no ray of {} meets anything{}{}", name_of_layer(summary, index),
+                            text.reason.empty() ? "" : ": ", text.reason),
+                {}, text.remedy));
+}
+
+// Which objects the rays of a camera start in, found by a coarse look. Nothing if one of them is a
+// room, in which others are seen.
+std::vector<StartInside> look_for_starts(const Loaded& loaded, const camera::ShownCamera& shown,
+                                         std::pair<std::size_t, std::size_t> size) {
+    constexpr double rays = 64.0 * 64.0;
+    const auto width = static_cast<double>(size.first);
+    const auto height = static_cast<double>(size.second);
+    const double scale = std::min(1.0, std::sqrt(rays / (width * height)));
+    const auto scaled = [scale](double side) {
+        return static_cast<std::size_t>(std::max(1.0, std::round(scale * side)));
+    };
+    const Result<render::Probe> probe = render::probe(*loaded.renderer, shown.camera,
+                                                      {.width = scaled(width),
+                                                       .height = scaled(height),
+                                                       .step = 1,
+                                                       .time = loaded.settings.time});
+    if (!probe) {
+        return {};
+    }
+    std::vector<StartInside> starts = starts_inside(*probe, *loaded.scene);
+    const auto seen = std::count_if(probe->objects.begin(), probe->objects.end(),
+                                    [](const render::ObjectSight& sight) { return sight.seen; });
+    if (seen > 1) {
+        std::erase_if(starts, [](const StartInside& start) { return start.is_around_all; });
+    }
+    for (StartInside& start : starts) {
+        start.point /= scale;
+    }
+    return starts;
+}
+
+void describe_starts(Report& report, const std::vector<StartInside>& starts, std::size_t index) {
+    if (starts.empty()) {
+        return;
+    }
+    std::vector<std::string> texts;
+    for (const StartInside& start : starts) {
+        texts.push_back(
+            fmt::format("{:.3g} % in '{}'", 100.0 * start.share, printable(start.object)));
+    }
+    report.diagnostics.push_back(
+        warning(fmt::format("rays of {} start in closed objects and show them from inside: {}",
+                            name_of_layer(report.summary, index), fmt::join(texts, ", ")),
+                {}, "move the camera with --set, or make its eye object smaller"));
+    report.starts.push_back({index, starts});
+}
+
 }  // namespace
 
 void describe(Report& report, const Loaded& loaded, const camera::Picture& picture,
@@ -77,25 +147,19 @@ void describe(Report& report, const Loaded& loaded, const camera::Picture& pictu
     report.fitted = loaded.cameras.fitted();
 }
 
-void describe_misses(Report& report, const Loaded& loaded, const camera::Picture& picture,
-                     std::pair<std::size_t, std::size_t> size) {
-    const render::Summary& summary = report.summary;
+void describe_sight(Report& report, const Loaded& loaded, const camera::Picture& picture,
+                    std::pair<std::size_t, std::size_t> size) {
     for (const camera::ShownCamera& shown : shown_cameras(picture)) {
+        const std::vector<StartInside> starts = look_for_starts(loaded, shown, size);
         for (const camera::ShownCamera::LayerUse& use : shown.uses) {
-            const render::Summary::Layer& layer = summary.layers[use.index];
-            if (layer.hits > 0 || layer.camera_rays == layer.invalid_rays) {
+            const render::Summary::Layer& layer = report.summary.layers[use.index];
+            if (layer.camera_rays == layer.invalid_rays) {
                 continue;
             }
-            const Result<render::Miss> miss = render::explain_miss(
-                *loaded.renderer, shown.camera,
-                {.width = size.first, .height = size.second, .time = loaded.settings.time});
-            report.misses.push_back({use.index, miss.value});
-            const MissText text = miss ? miss_text(*miss, shown.camera) : MissText{};
-            report.diagnostics.push_back(warning(
-                fmt::format("no ray of {} '{}' meets anything{}{}",
-                            summary.layers.size() == 1 ? "camera" : "layer", printable(layer.name),
-                            text.reason.empty() ? "" : ": ", text.reason),
-                {}, text.remedy));
+            if (layer.hits == 0) {
+                describe_miss(report, loaded, shown, use.index, size);
+            }
+            describe_starts(report, starts, use.index);
         }
     }
 }

@@ -18,9 +18,10 @@ struct Shown {
 void describe(Report& report, const Loaded& loaded, const camera::Picture& picture,
               const Shown& shown, const render::Summary& summary);
 
-/// Warns of layers whose rays meet nothing, with the reason. The picture has this size in pixels.
-void describe_misses(Report& report, const Loaded& loaded, const camera::Picture& picture,
-                     std::pair<std::size_t, std::size_t> size);
+/// Warns of layers whose rays meet nothing, with the reason, or start in closed objects. The
+/// picture has this size in pixels.
+void describe_sight(Report& report, const Loaded& loaded, const camera::Picture& picture,
+                    std::pair<std::size_t, std::size_t> size);
 
 /// The numbers of samples of adaptive sampling; nothing without it.
 [[nodiscard]] std::optional<SampleRange> sample_range(const render::Film& film);

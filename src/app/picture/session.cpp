@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "app/inputs/frame_pictures.hpp"
+#include "app/inputs/placement.hpp"
 #include "app/picture/banded_picture.hpp"
 #include "app/picture/findings.hpp"
 #include "app/picture/paused_run.hpp"
@@ -61,7 +62,7 @@ public:
             report_.samples = sample_range(film_);
             report_.has_samples = has_samples(film_);
             if (!summary->interrupted) {
-                describe_misses(report_, loaded_, picture, {film_.width, film_.height});
+                describe_sight(report_, loaded_, picture, {film_.width, film_.height});
             }
         }
         write_file();
@@ -267,10 +268,12 @@ Diagnostics check_request(const Request& request) {
         found.push_back(error(Kind::usage, "--set needs a camera whose parameter it sets",
                               "add --camera FILE"));
     }
-    if (request.is_fitted() && (request.camera.empty() || is_of_scene(request.camera))) {
+    if (request.placement.is_demanded() &&
+        (request.camera.empty() || is_of_scene(request.camera))) {
         found.push_back(error(Kind::usage, "--fit needs a camera of a file, which it places",
                               "add --camera FILE or the name of a built-in camera"));
     }
+    add(found, check_placement(request.placement, true));
     if (request.job.shard && !request.exposure && request.settings.sampling.noise != 0.0) {
         found.push_back(error(Kind::usage,
                               "--shard with --noise needs --exposure, as noise is relative to "

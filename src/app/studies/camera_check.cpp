@@ -17,7 +17,7 @@ std::size_t CameraCheck::defect_count() const {
         count += in_scene->miss ? 1U : 0U;
         count += static_cast<std::size_t>(
             std::count_if(in_scene->starts_inside.begin(), in_scene->starts_inside.end(),
-                          [](const Start& start) { return !start.room; }));
+                          [](const StartInside& start) { return !start.is_around_all; }));
     }
     return count;
 }

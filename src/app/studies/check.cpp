@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "app/inputs/placement.hpp"
 #include "app/studies/check_subjects.hpp"
 #include "app/words.hpp"
 #include "balcony/display_file.hpp"
@@ -89,17 +90,11 @@ Diagnostics check_one_camera(std::span<const Subjects> all) {
 }
 
 CameraCheck::InScene in_scene(const scene::Scene& scene, const render::Probe& probe) {
-    CameraCheck::InScene found{scene.name};
+    CameraCheck::InScene found{.scene = scene.name, .starts_inside = starts_inside(probe, scene)};
     for (std::size_t i = 0; i < probe.objects.size(); ++i) {
         const render::ObjectSight& sight = probe.objects[i];
         if (sight.has_surface && !sight.seen) {
             found.never_seen.push_back(scene.objects[i].name);
-        }
-        if (sight.rays_from_inside > 0) {
-            const double share =
-                static_cast<double>(sight.rays_from_inside) / static_cast<double>(probe.rays);
-            found.starts_inside.push_back({scene.objects[i].name, share, sight.inside_at,
-                                           sight.rays_from_inside == probe.rays});
         }
     }
     return found;
@@ -121,6 +116,7 @@ public:
 
     CheckReport operator()() {
         Diagnostics usage = check_maps(request_.maps);
+        app::add(usage, check_placement(request_.placement, !request_.scene.empty()));
         if (!request_.layer.empty() && request_.files.size() > 1) {
             usage.push_back(error(Kind::usage,
                                   "--layer refers to one picture, but there are several files",
@@ -141,6 +137,7 @@ public:
         }
         if (is_fine() && !request_.scene.empty()) {
             read_scene();
+            place_cameras(all);
         }
         if (is_fine()) {
             for (std::size_t i = 0; i < all.size() && !is_stopped(); ++i) {
@@ -178,6 +175,22 @@ private:
             render::Renderer::make(scene_, {.textures_on_demand = true}, {}, stop_);
         add(renderer.diagnostics);
         renderer_ = std::move(renderer.value);
+    }
+
+    // Makes the cameras again that the scene places.
+    void place_cameras(std::vector<Subjects>& all) {
+        const auto is_placed = [this](const Subjects& one) {
+            return one.cameras && request_.placement.places(one.argument);
+        };
+        if (!renderer_ || std::none_of(all.begin(), all.end(), is_placed)) {
+            return;
+        }
+        add(fit_cameras(workspace_, request_.placement, *renderer_, stop_));
+        for (Subjects& one : all) {
+            if (is_fine() && is_placed(one)) {
+                one.cameras = check_subjects(one.argument, request_, workspace_);
+            }
+        }
     }
 
     void check_file(const Subjects& subjects) {

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "app/inputs/placement.hpp"
 #include "app/words.hpp"
 #include "balcony/render.hpp"
 #include "balcony/studies.hpp"
@@ -25,51 +26,76 @@ std::vector<std::string> numbers_of_layers(const camera::Picture& picture, std::
     return numbers;
 }
 
-// Determines whether the sightings are hidden in a scene.
-Diagnostics look_for_obstacles(const std::shared_ptr<const scene::Scene>& scene, Located& located,
+// Determines whether the sightings are hidden in the scene of a renderer.
+Diagnostics look_for_obstacles(const render::Renderer& renderer, Located& located,
                                const std::stop_token& stop) {
-    const auto renderer = render::Renderer::make(scene, {.textures_on_demand = true}, {}, stop);
-    if (!renderer) {
-        return renderer.diagnostics;
-    }
     std::vector<render::SightLine> lines;
     lines.reserve(located.sightings.size());
     for (const analyse::Sighting& sighting : located.sightings) {
         lines.push_back({sighting.origin, located.points[sighting.point]});
     }
-    auto found = render::find_obstacles(*renderer, lines, located.axes, stop);
+    auto found = render::find_obstacles(renderer, lines, located.axes, stop);
     located.obstacles = std::move(found.value);
-    located.objects = scene->objects;
-    found.diagnostics.insert(found.diagnostics.begin(), renderer.diagnostics.begin(),
-                             renderer.diagnostics.end());
     return found.diagnostics;
+}
+
+struct Prepared {
+    std::shared_ptr<const scene::Scene> scene;
+    render::Renderer renderer;
+};
+
+// The scene of a request; none if it names none or that fails.
+std::optional<Prepared> prepare(const LocateRequest& request, const std::stop_token& stop,
+                                Diagnostics& found) {
+    if (request.scene.empty()) {
+        return std::nullopt;
+    }
+    Result<scene::Scene> loaded = load_scene(request.scene, request.time, {}, {}, stop);
+    add(found, loaded.diagnostics);
+    if (!loaded) {
+        return std::nullopt;
+    }
+    const auto scene = std::make_shared<const scene::Scene>(std::move(*loaded));
+    auto renderer = render::Renderer::make(scene, {.textures_on_demand = true}, {}, stop);
+    add(found, renderer.diagnostics);
+    return renderer ? std::optional(Prepared{scene, std::move(*renderer)}) : std::nullopt;
+}
+
+Result<camera::Picture> picture_in(const Prepared& prepared, const LocateRequest& request,
+                                   const std::stop_token& stop) {
+    if (is_of_scene(request.camera) || !request.placement.places(request.camera)) {
+        return load_picture(request.camera, request.set, *prepared.scene);
+    }
+    lang::Workspace cameras;
+    const Diagnostics found = fit_cameras(cameras, request.placement, prepared.renderer, stop);
+    return has_errors(found) ? Result<camera::Picture>(found)
+                             : load_picture(request.camera, request.set, cameras);
 }
 
 }  // namespace
 
 Result<Located> locate(const LocateRequest& request, const std::stop_token& stop) {
-    Diagnostics diagnostics;
-    std::shared_ptr<const scene::Scene> scene;
-    if (!request.scene.empty()) {
-        Result<scene::Scene> loaded = load_scene(request.scene, request.time, {}, {}, stop);
-        add(diagnostics, loaded.diagnostics);
-        if (loaded) {
-            scene = std::make_shared<const scene::Scene>(std::move(*loaded));
-        }
-    }
-    Result<camera::Picture> picture = scene ? load_picture(request.camera, request.set, *scene)
-                                            : load_picture(request.camera, request.set);
-    add(diagnostics, picture.diagnostics);
+    Diagnostics diagnostics = check_placement(request.placement, !request.scene.empty());
     if (has_errors(diagnostics)) {
         return diagnostics;
     }
     Located found;
+    const std::optional<Prepared> prepared = prepare(request, stop, diagnostics);
+    if (has_errors(diagnostics)) {
+        return diagnostics;
+    }
+    Result<camera::Picture> picture =
+        prepared ? picture_in(*prepared, request, stop) : load_picture(request.camera, request.set);
+    add(diagnostics, picture.diagnostics);
+    if (!picture) {
+        return diagnostics;
+    }
     std::optional<Axes> axes = request.axes;
     if (axes) {
         found.axes_from = AxesSource::request;
-    } else if (scene) {
+    } else if (prepared) {
         found.axes_from = AxesSource::scene;
-        axes = scene->axes;
+        axes = prepared->scene->axes;
     }
     found.camera = picture->name();
     *picture = picture->with_fit(request.size.fit);
@@ -105,8 +131,9 @@ Result<Located> locate(const LocateRequest& request, const std::stop_token& stop
         add(diagnostics,
             explain_unseen({*picture, width, height, request.time, found.axes, found.points}));
     }
-    if (scene) {
-        add(diagnostics, look_for_obstacles(scene, found, stop));
+    if (prepared) {
+        found.objects = prepared->scene->objects;
+        add(diagnostics, look_for_obstacles(prepared->renderer, found, stop));
         if (!found.obstacles) {
             return diagnostics;
         }

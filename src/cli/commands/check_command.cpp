@@ -146,6 +146,7 @@ void add_check_command(CLI::App& app, ExitCode& code) {
              scene_option(&CheckRequest::scene,
                           "scene file: also report objects that are never visible and rays that "
                           "start inside an object")}};
+        request.add(&CheckRequest::placement, app::placement_options());
         request.add(&CheckRequest::size,
                     app::size_options("size of the picture in pixels (default: about a million "
                                       "pixels, with the camera's aspect ratio)"));

@@ -228,6 +228,7 @@ void add_locate_command(CLI::App& app, ExitCode& code) {
                           "scene file: also report whether the point is hidden, by which object "
                           "and at which distance"),
              app::set_option(&LocateRequest::set)}};
+        request.add(&LocateRequest::placement, app::placement_options());
         request.add(&LocateRequest::size, app::size_options("size of the picture in pixels"));
         request.add(&LocateRequest::size, app::aspect_options());
         request.add(

@@ -99,14 +99,14 @@ std::string scene_text(const CameraCheck::InScene& found) {
                         list_text(found.never_seen)),
             "", "");
     }
-    for (const CameraCheck::Start& start : found.starts_inside) {
-        text +=
-            finding_text("starts inside",
-                         fmt::format("{} of the rays start inside '{}'", percent(start.share),
-                                     printable(start.object)),
-                         start.room ? "" : "at " + pixel_text(start.point),
-                         start.room ? "if this object is not the room, move the camera"
-                                    : "move the camera, or make its eye object smaller or larger");
+    for (const app::StartInside& start : found.starts_inside) {
+        text += finding_text("starts inside",
+                             fmt::format("{} of the rays start inside '{}'", percent(start.share),
+                                         printable(start.object)),
+                             start.is_around_all ? "" : "at " + pixel_text(start.point),
+                             start.is_around_all
+                                 ? "if this object is not the room, move the camera"
+                                 : "move the camera, or make its eye object smaller or larger");
     }
     return text;
 }
@@ -142,7 +142,7 @@ nlohmann::json finding_json(const Finding& finding) {
 
 nlohmann::json scene_json(const CameraCheck::InScene& found) {
     nlohmann::json starts = nlohmann::json::array();
-    for (const CameraCheck::Start& start : found.starts_inside) {
+    for (const app::StartInside& start : found.starts_inside) {
         starts.push_back({{"object", start.object},
                           {"share", start.share},
                           {"x", start.point.x},

@@ -36,18 +36,33 @@ std::string layers_text(const render::Summary& summary) {
     return summary.layers.size() > 1 ? text : "";
 }
 
-// What the `fit` statements of the camera have set.
+double shown_value(const lang::FittedParameter& parameter) {
+    return parameter.is_angle ? *parameter.value * 180.0 / std::numbers::pi : *parameter.value;
+}
+
+// Where the scene has placed the camera, with angles in degrees.
 std::string fitted_text(const std::vector<lang::FittedParameter>& fitted) {
     std::vector<std::string> texts;
     for (const lang::FittedParameter& parameter : fitted) {
         if (parameter.value) {
-            const double value =
-                parameter.is_angle ? *parameter.value * 180.0 / std::numbers::pi : *parameter.value;
-            texts.push_back(
-                fmt::format("{}={:.4g}{}", parameter.name, value, parameter.is_angle ? "deg" : ""));
+            texts.push_back(fmt::format("{}={:.4g}{}", parameter.name, shown_value(parameter),
+                                        parameter.is_angle ? "deg" : ""));
         }
     }
     return texts.empty() ? std::string() : fmt::format("  fitted: {}\n", fmt::join(texts, " "));
+}
+
+nlohmann::json fitted_json(const std::vector<lang::FittedParameter>& fitted) {
+    nlohmann::json all = nlohmann::json::array();
+    for (const lang::FittedParameter& parameter : fitted) {
+        if (parameter.value) {
+            all.push_back({{"camera", parameter.camera},
+                           {"name", parameter.name},
+                           {"value", shown_value(parameter)},
+                           {"unit", parameter.is_angle ? "deg" : ""}});
+        }
+    }
+    return all;
 }
 
 // Most scenes are ready at once.
@@ -108,6 +123,7 @@ nlohmann::json facts_of(const app::Report& report) {
     facts.update({{"output", nullptr},
                   {"camera", report.camera},
                   {"layers", layers_json(summary)},
+                  {"fitted", fitted_json(report.fitted)},
                   {"width", report.width},
                   {"height", report.height},
                   {"passes", summary.passes},

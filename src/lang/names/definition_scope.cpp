@@ -130,6 +130,9 @@ void DefinitionScope::define_parameter(const DefinitionParameter& parameter) {
     if (const auto given = values_.find(name); given != values_.end()) {
         value = checked(given->second->value, given->second->value_place, value, name);
     }
+    if (session_.scene() && fitted_.contains(name)) {
+        session_.note_fitted(place_.camera->name.text, name, value);
+    }
     if (open_.contains(name)) {
         value = opened(value, name);
     }
@@ -146,12 +149,8 @@ Value DefinitionScope::fitted(const Value& default_value, std::string_view name)
     if (!found) {
         return default_value;
     }
-    Value value = checked(found->value, found->place, default_value, name);
-    if (!session_.scene()) {
-        return value.failed() ? value : default_value;
-    }
-    session_.note_fitted(place_.camera->name.text, name, value);
-    return value;
+    const Value value = checked(found->value, found->place, default_value, name);
+    return session_.scene() || value.failed() ? value : default_value;
 }
 
 // An input in the place of a number that does not change.

@@ -25,6 +25,7 @@ public:
         SourceSpan place;
     };
     [[nodiscard]] std::optional<Fitted> find(std::string_view name);
+    [[nodiscard]] bool contains(std::string_view name) const { return entries_.contains(name); }
 
 private:
     struct Entry {

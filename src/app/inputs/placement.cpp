@@ -1,0 +1,56 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "app/inputs/placement.hpp"
+
+#include <array>
+#include <utility>
+
+#include "balcony/inputs.hpp"
+#include "balcony/probe.hpp"
+
+namespace balcony::app {
+
+namespace fs = std::filesystem;
+
+bool Placement::places(const std::string& camera) const {
+    const fs::path file = camera_file(camera);
+    std::error_code ignored;
+    const bool is_built_in = !lang::family_of(file.string()).empty() && !fs::exists(file, ignored);
+    return is_demanded() || (is_built_in && fit.value_or(true));
+}
+
+Diagnostics fit_cameras(lang::Workspace& cameras, const Placement& placement,
+                        const render::Renderer& renderer, const std::stop_token& stop) {
+    const Result<render::SceneExtent> extent =
+        render::measure_scene(renderer, placement.fit_to, stop);
+    if (!extent) {
+        return extent.diagnostics;
+    }
+    const auto point = [](const Imath::V3d& p) { return std::array{p.x, p.y, p.z}; };
+    lang::SceneMeasures measures{.min = point(extent->bounds.min),
+                                 .max = point(extent->bounds.max),
+                                 .inside = point(extent->inside),
+                                 .radius = extent->radius,
+                                 .profile = {}};
+    for (const Imath::V2d& p : extent->profile) {
+        measures.profile.push_back({p.x, p.y});
+    }
+    cameras.fit_to(std::move(measures));
+    return extent.diagnostics;
+}
+
+Diagnostics check_placement(const Placement& placement, bool has_scene) {
+    Diagnostics found;
+    if (placement.is_demanded() && !has_scene) {
+        found.push_back(error(Kind::usage, "--fit places a camera in a scene, but there is none",
+                              "add --scene FILE"));
+    }
+    if (placement.fit == false && !placement.fit_to.empty()) {
+        found.push_back(
+            error(Kind::usage, "--no-fit contradicts --fit-to", "leave out one of them"));
+    }
+    return found;
+}
+
+}  // namespace balcony::app

@@ -1,0 +1,22 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <stop_token>
+
+#include "balcony/lang.hpp"
+#include "balcony/render.hpp"
+#include "balcony/request.hpp"
+
+namespace balcony::app {
+
+/// Fits the cameras that a workspace makes from now on to the scene of a renderer, or to its object
+/// that the placement names. An unknown object is an error; so is a stop, of Kind::interrupted.
+[[nodiscard]] Diagnostics fit_cameras(lang::Workspace& cameras, const Placement& placement,
+                                      const render::Renderer& renderer,
+                                      const std::stop_token& stop);
+
+/// Errors of usage: a demand without a scene, or two that contradict each other.
+[[nodiscard]] Diagnostics check_placement(const Placement& placement, bool has_scene);
+
+}  // namespace balcony::app
