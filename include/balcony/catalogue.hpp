@@ -40,13 +40,6 @@ enum class StageKind : std::uint8_t {
 /// Direction rules, lenses.
 [[nodiscard]] std::string plural_of(StageKind kind);
 
-/// What a number counts. Angles are written with deg or rad and are radians inside.
-enum class Unit : std::uint8_t {
-    number,  ///< A length in scene units, a ratio, ...; where it is wanted, an angle is an error.
-    angle,   ///< Where it is wanted, a plain number other than 0 is an error.
-    either,  ///< Depends on the object, as a coordinate of parameter space, or on a formula's user.
-};
-
 /// A function that a stage offers to its formulas: a result of a native, called by name with plain
 /// numbers.
 struct FormulaFunction {

@@ -18,28 +18,13 @@ namespace balcony::camera {
 
 // -------------------------------------------------------------------------------- values
 
-/// A number with its unit, constant or a formula in time. 0 has every unit.
-struct Quantity {
-    Quantity(double number) : value(number) {}
-    Quantity(Scalar scalar, Unit counts = Unit::number) : value(std::move(scalar)), unit(counts) {}
-
-    Scalar value;
-    Unit unit = Unit::number;
-};
-
-[[nodiscard]] Quantity degrees(double number);
-[[nodiscard]] Quantity radians(double number);
+[[nodiscard]] Scalar degrees(double number);
+[[nodiscard]] Scalar radians(double number);
 
 /// Numbers that belong together: (a, b).
-using Tuple = std::vector<Quantity>;
+using Tuple = std::vector<Scalar>;
 /// Points, each with its co-ordinates; numbers are points of one: {{0.0}, {0.5}, {1.0}}.
 using Points = std::vector<Tuple>;
-
-/// A formula and what its results count; without units they fit any use.
-struct FormulaValue {
-    Formula formula;
-    std::vector<Unit> units{};
-};
 
 /// In the place of a value: something that no parameter takes, in words ("a file's name").
 struct Unsuitable {
@@ -52,8 +37,8 @@ struct Failed {};
 /// A value for a parameter before it is checked. A text is a choice, a name, or an axis: "z", "-x".
 struct ArgumentValue {
     using Stages = std::vector<std::shared_ptr<const Stage>>;
-    using Form = std::variant<Quantity, Tuple, Points, std::string, std::shared_ptr<const Stage>,
-                              Stages, FormulaValue, std::shared_ptr<const GreyImage>,
+    using Form = std::variant<Scalar, Tuple, Points, std::string, std::shared_ptr<const Stage>,
+                              Stages, Formula, std::shared_ptr<const GreyImage>,
                               std::shared_ptr<const TexturedMesh>, std::shared_ptr<const PixelMap>,
                               std::shared_ptr<const CalibrationFile>, Unsuitable, Failed>;
 
@@ -61,8 +46,7 @@ struct ArgumentValue {
     requires(!std::same_as<std::remove_cvref_t<Value>, ArgumentValue> &&
              std::constructible_from<Form, Value>) ArgumentValue(Value&& value)
         : form(std::forward<Value>(value)) {}
-    ArgumentValue(std::initializer_list<Quantity> numbers) : form(Tuple(numbers)) {}
-    ArgumentValue(Formula formula) : form(FormulaValue{std::move(formula)}) {}
+    ArgumentValue(std::initializer_list<Scalar> numbers) : form(Tuple(numbers)) {}
 
     Form form;
 };

@@ -170,7 +170,10 @@ TEST(Bind, ChecksFormulas) {
     EXPECT_TRUE(bound({{"radius", 1.0}, {"weight", sum_of(2)}}).arguments);
     EXPECT_EQ(found({{"radius", 1.0}, {"weight", sum_of(1)}}).diagnostic.message,
               "the formula 'weight' has 2 parameters, but this one has 1");
-    const FormulaValue angle{sum_of(2), {Unit::angle}};
+    const auto graph = std::make_shared<Graph>();
+    const Expr u = graph->fresh_variable();
+    const Expr v = graph->fresh_variable();
+    const Formula angle(graph, {u, v}, {u + v}, {Unit::angle});
     EXPECT_EQ(found({{"radius", 1.0}, {"weight", angle}}).kind, Kind::angle_for_number);
 }
 
@@ -182,7 +185,7 @@ Scalar time_dependent() {
 }
 
 TEST(Bind, HoldsWhatChangesWithTimeInItsRange) {
-    const Binding made = bound({{"radius", Quantity(time_dependent())}});
+    const Binding made = bound({{"radius", time_dependent()}});
     ASSERT_TRUE(made.arguments);
     const auto at = [&](double time) {
         Graph graph;
@@ -191,8 +194,7 @@ TEST(Bind, HoldsWhatChangesWithTimeInItsRange) {
     };
     EXPECT_EQ(at(2.0), 2.0);
     EXPECT_EQ(at(-2.0), 0.0);
-    EXPECT_EQ(found({{"radius", 1.0}, {"n", Quantity(time_dependent())}}).kind,
-              Kind::changes_with_time);
+    EXPECT_EQ(found({{"radius", 1.0}, {"n", time_dependent()}}).kind, Kind::changes_with_time);
 }
 
 TEST(Bind, JudgesNothingThatHasFailed) {

@@ -85,10 +85,9 @@ Result<std::shared_ptr<const Stage>> make_from_file(const Arguments& a, const st
     }
     const StageEntry* row = catalogue().find(StageKind::object_generator, model);
     assert(row != nullptr && "the readers know the models");
-    std::vector<NamedValue> values{{"radius", Quantity(a.number("radius"))},
-                                   {"origin", calibration.origin}};
+    std::vector<NamedValue> values{{"radius", a.number("radius")}, {"origin", calibration.origin}};
     for (const Calibration::Number& number : calibration.numbers) {
-        values.push_back({number.name, Quantity(number.value, Unit::either)});
+        values.push_back({number.name, Scalar(number.value, Unit::either)});
     }
     const std::vector<std::string_view> names = coefficient_names(model);
     if (calibration.distortion.size() > names.size()) {
@@ -97,7 +96,7 @@ Result<std::shared_ptr<const Stage>> make_from_file(const Arguments& a, const st
                      {}, "check that it is the calibration of a fisheye lens");
     }
     for (std::size_t i = 0; i < calibration.distortion.size(); ++i) {
-        values.push_back({names[i], Quantity(calibration.distortion[i], Unit::either)});
+        values.push_back({names[i], Scalar(calibration.distortion[i], Unit::either)});
     }
     Result<std::shared_ptr<const Stage>> made = make_stage(*row, values);
     if (!made || a.choice("pose") == "standard") {

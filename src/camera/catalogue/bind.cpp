@@ -19,26 +19,21 @@ namespace balcony::camera {
 namespace {
 
 // A result of a formula for its unit: a number only if it is known, since 0 has every unit.
-Quantity result_of(const FormulaValue& value, std::size_t i) {
-    return {Scalar(value.formula.constant(i).value_or(1.0)), value.units[i]};
-}
-
-// Dimensions that are told of results that there are.
-std::size_t known_results(const FormulaValue& value) {
-    return std::min(value.units.size(), value.formula.result_count());
+Scalar result_of(const Formula& value, std::size_t i) {
+    return {value.constant(i).value_or(1.0), value.unit(i)};
 }
 
 }  // namespace
 
 std::string described(const ArgumentValue& given) {
     struct Words {
-        std::string operator()(const Quantity&) const { return "a number"; }
+        std::string operator()(const Scalar&) const { return "a number"; }
         std::string operator()(const Tuple&) const { return "a tuple"; }
         std::string operator()(const Points&) const { return "a list"; }
         std::string operator()(const std::string&) const { return "a word"; }
         std::string operator()(const std::shared_ptr<const Stage>&) const { return "a stage"; }
         std::string operator()(const ArgumentValue::Stages&) const { return "several stages"; }
-        std::string operator()(const FormulaValue&) const { return "a formula"; }
+        std::string operator()(const Formula&) const { return "a formula"; }
         std::string operator()(const std::shared_ptr<const GreyImage>&) const { return "an image"; }
         std::string operator()(const std::shared_ptr<const TexturedMesh>&) const {
             return "a mesh";
@@ -156,7 +151,7 @@ void Binder::bind_formula() {
         at_ = 0;
     }
     const auto* value =
-        given_.size() == 1 && given_[0].name == row_.name ? given<FormulaValue>() : nullptr;
+        given_.size() == 1 && given_[0].name == row_.name ? given<Formula>() : nullptr;
     if (value == nullptr) {
         if (!any_failed_) {
             report(Kind::wrong_form, fmt::format("'{}' needs a formula", row_.name),
@@ -167,7 +162,7 @@ void Binder::bind_formula() {
     if (!has_shape(row_.name, *row_.shape, *value)) {
         return;
     }
-    for (std::size_t i = 0; i < known_results(*value); ++i) {
+    for (std::size_t i = 0; i < value->result_count(); ++i) {
         if (row_.kind != StageKind::parameter_transformer && is_angle(result_of(*value, i))) {
             element_ = {i};
             report(
@@ -176,7 +171,7 @@ void Binder::bind_formula() {
                 "divide it by 1rad to get the number of radians");
         }
     }
-    arguments_.set_formula(value->formula);
+    arguments_.set_formula(*value);
 }
 
 void Binder::set(const ChoiceParameter& type) {
@@ -194,7 +189,7 @@ void Binder::set(const ChoiceParameter& type) {
 }
 
 void Binder::set(const NestedStageParameter& type) {
-    if (const auto* number = given<Quantity>(); number != nullptr && !type.of_number.empty()) {
+    if (const auto* number = given<Scalar>(); number != nullptr && !type.of_number.empty()) {
         set_stage_of_number(type, *number);
         return;
     }
@@ -226,7 +221,7 @@ void Binder::set(const NestedStageParameter& type) {
 }
 
 // A plain number is judged as the argument of the stage that it is short for.
-void Binder::set_stage_of_number(const NestedStageParameter& type, const Quantity& number) {
+void Binder::set_stage_of_number(const NestedStageParameter& type, const Scalar& number) {
     const StageEntry* row = catalogue().find(type.kind, type.of_number);
     assert(row != nullptr && row->parameters.size() == 1 && "it is a stage of one number");
     const StageParameter& only = row->parameters.front();
@@ -258,26 +253,24 @@ bool Binder::stage_fits(const NestedStageParameter& type, const Stage* stage) {
 }
 
 void Binder::set(const FormulaParameter& type) {
-    const auto* value = given<FormulaValue>();
+    const auto* value = given<Formula>();
     if (value == nullptr) {
         report(Kind::wrong_form, fmt::format("{} takes a formula", what()),
                fmt::format("the syntax is {}", signature(parameter_->name, type.shape)));
     } else if (has_shape(parameter_->name, type.shape, *value)) {
         const std::size_t errors_before = errors_.size();
-        for (std::size_t i = 0; i < known_results(*value); ++i) {
+        for (std::size_t i = 0; i < value->result_count(); ++i) {
             element_ = {i};
             (void)fits(result_of(*value, i), Unit::number, false);
         }
         if (errors_.size() == errors_before) {
-            arguments_.set(parameter_->name, value->formula);
+            arguments_.set(parameter_->name, *value);
         }
     }
 }
 
-bool Binder::has_shape(std::string_view name, const FormulaShape& shape,
-                       const FormulaValue& value) {
-    auto trouble =
-        shape_error(name, shape, value.formula.parameter_count(), value.formula.result_count());
+bool Binder::has_shape(std::string_view name, const FormulaShape& shape, const Formula& value) {
+    auto trouble = shape_error(name, shape, value.parameter_count(), value.result_count());
     if (trouble) {
         report(Kind::wrong_form, std::move(trouble->message), std::move(trouble->remedy));
     }
@@ -334,11 +327,9 @@ void Binder::set(const CalibrationParameter&) {
     set_file<CalibrationFile>("a calibration", "calibration.yml");
 }
 
-Quantity degrees(double number) {
-    return {Scalar(number * (std::numbers::pi / 180.0)), Unit::angle};
-}
+Scalar degrees(double number) { return {number * (std::numbers::pi / 180.0), Unit::angle}; }
 
-Quantity radians(double number) { return {Scalar(number), Unit::angle}; }
+Scalar radians(double number) { return {number, Unit::angle}; }
 
 Binding bind(const StageEntry& row, std::span<const NamedValue> values) {
     try {

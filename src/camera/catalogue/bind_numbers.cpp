@@ -19,14 +19,14 @@ constexpr std::size_t max_points = 65536;
 // Stages made of points compute powers of their distances, which must not overflow.
 constexpr double max_coordinate = 1e30;
 
-bool is_plain_number(const Quantity& given) {
-    return given.unit == Unit::number && given.value.constant() != 0.0;
+bool is_plain_number(const Scalar& given) {
+    return given.unit() == Unit::number && given.constant() != 0.0;
 }
 
 }  // namespace
 
-bool is_angle(const Quantity& given) {
-    return given.unit == Unit::angle && given.value.constant() != 0.0;
+bool is_angle(const Scalar& given) {
+    return given.unit() == Unit::angle && given.constant() != 0.0;
 }
 
 void Binder::set(const NumberParameter& type) {
@@ -45,7 +45,7 @@ void Binder::set(const CountParameter& type) {
 
 void Binder::set(const PairParameter& type) {
     const NumberRules rules{type.unit, type.range, type.constant, false, {}};
-    if (const auto* one = given<Quantity>(); one != nullptr && type.one_for_both) {
+    if (const auto* one = given<Scalar>(); one != nullptr && type.one_for_both) {
         if (const auto number = checked(*one, rules)) {
             arguments_.set(parameter_->name, std::vector<Scalar>(2, *number));
         }
@@ -69,8 +69,8 @@ void Binder::set(const TripleParameter& type) {
     }
 }
 
-const Quantity* Binder::one_number(std::string_view form) {
-    const auto* number = given<Quantity>();
+const Scalar* Binder::one_number(std::string_view form) {
+    const auto* number = given<Scalar>();
     if (number == nullptr) {
         wrong_form(form);
     }
@@ -95,7 +95,7 @@ void Binder::wrong_form(std::string_view form) {
            form_remedy(*parameter_));
 }
 
-void Binder::set_numbers(std::span<const Quantity> numbers, const NumberRules& rules) {
+void Binder::set_numbers(std::span<const Scalar> numbers, const NumberRules& rules) {
     std::vector<Scalar> values;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         if (numbers.size() > 1) {
@@ -110,18 +110,18 @@ void Binder::set_numbers(std::span<const Quantity> numbers, const NumberRules& r
     }
 }
 
-std::optional<Scalar> Binder::checked(const Quantity& number, const NumberRules& rules) {
+std::optional<Scalar> Binder::checked(const Scalar& number, const NumberRules& rules) {
     if (!fits(number, rules.unit, rules.constant)) {
         return std::nullopt;
     }
-    const std::optional<double> value = number.value.constant();
+    const std::optional<double> value = number.constant();
     if (!value) {
-        return number.value.clamped(rules.range.minimum, rules.range.maximum);
+        return number.clamped(rules.range.minimum, rules.range.maximum);
     }
-    return in_range(*value, rules) ? std::optional(number.value) : std::nullopt;
+    return in_range(*value, rules) ? std::optional(number) : std::nullopt;
 }
 
-bool Binder::fits(const Quantity& number, Unit unit, bool constant) {
+bool Binder::fits(const Scalar& number, Unit unit, bool constant) {
     if (unit == Unit::number && is_angle(number)) {
         report(Kind::angle_for_number,
                fmt::format("{} must be a plain number, but this is an angle", what()),
@@ -134,7 +134,7 @@ bool Binder::fits(const Quantity& number, Unit unit, bool constant) {
                "give it in degrees or radians");
         return false;
     }
-    const std::optional<double> value = number.value.constant();
+    const std::optional<double> value = number.constant();
     if (constant && !value) {
         report(Kind::changes_with_time, fmt::format("{} cannot change with time", what()),
                "it determines the structure of the stage, which is the same for all times");
@@ -221,7 +221,7 @@ void Binder::add_point(const PointsParameter& type, const Tuple& point, PointLis
         if (!fits(point[k], type.unit, true)) {
             continue;
         }
-        const double value = *point[k].value.constant();
+        const double value = *point[k].constant();
         if (std::abs(value) > max_coordinate) {
             report(Kind::out_of_range,
                    fmt::format("a coordinate of '{}' must be between -{} and {}", parameter_->name,

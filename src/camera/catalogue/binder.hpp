@@ -58,12 +58,12 @@ private:
     void set(const CountParameter& type);
     void set(const PairParameter& type);
     void set(const TripleParameter& type);
-    [[nodiscard]] const Quantity* one_number(std::string_view form);
+    [[nodiscard]] const Scalar* one_number(std::string_view form);
     [[nodiscard]] const Tuple* numbers(std::size_t count, std::string_view form);
     void wrong_form(std::string_view form);
-    void set_numbers(std::span<const Quantity> numbers, const NumberRules& rules);
-    [[nodiscard]] std::optional<Scalar> checked(const Quantity& number, const NumberRules& rules);
-    bool fits(const Quantity& number, Unit unit, bool constant);
+    void set_numbers(std::span<const Scalar> numbers, const NumberRules& rules);
+    [[nodiscard]] std::optional<Scalar> checked(const Scalar& number, const NumberRules& rules);
+    bool fits(const Scalar& number, Unit unit, bool constant);
     bool in_range(double value, const NumberRules& rules);
 
     // -------------------------------------------------------------------------------- points
@@ -75,10 +75,10 @@ private:
     // ----------------------------------------------------- words, stages, formulas and files
     void set(const ChoiceParameter& type);
     void set(const NestedStageParameter& type);
-    void set_stage_of_number(const NestedStageParameter& type, const Quantity& number);
+    void set_stage_of_number(const NestedStageParameter& type, const Scalar& number);
     bool stage_fits(const NestedStageParameter& type, const Stage* stage);
     void set(const FormulaParameter& type);
-    bool has_shape(std::string_view name, const FormulaShape& shape, const FormulaValue& value);
+    bool has_shape(std::string_view name, const FormulaShape& shape, const Formula& value);
     void set(const NameParameter&);
     void set(const ImageParameter&);
     void set(const MeshParameter&);
@@ -100,7 +100,7 @@ private:
 };
 
 /// 0 has every unit.
-[[nodiscard]] bool is_angle(const Quantity& given);
+[[nodiscard]] bool is_angle(const Scalar& given);
 /// A value in the words of a message.
 [[nodiscard]] std::string described(const ArgumentValue& given);
 

@@ -9,8 +9,11 @@
 namespace balcony::camera {
 
 Formula::Formula(std::shared_ptr<Graph> graph, std::vector<Expr> parameters,
-                 std::vector<Expr> results)
-    : graph_(std::move(graph)), parameters_(std::move(parameters)), results_(std::move(results)) {
+                 std::vector<Expr> results, std::vector<Unit> units)
+    : graph_(std::move(graph)),
+      parameters_(std::move(parameters)),
+      results_(std::move(results)),
+      units_(std::move(units)) {
     assert(!results_.empty());
 }
 
@@ -41,7 +44,7 @@ Formula Formula::clamped(double minimum, double maximum) const {
     return made;
 }
 
-Scalar::Scalar(Formula formula) : value_(std::move(formula)) {
+Scalar::Scalar(Formula formula, Unit unit) : value_(std::move(formula)), unit_(unit) {
     const Formula& stored = std::get<Formula>(value_);
     assert(stored.parameter_count() == 0 && stored.result_count() == 1);
     if (const auto number = stored.constant(0)) {
@@ -56,9 +59,9 @@ std::optional<double> Scalar::constant() const {
 
 Scalar Scalar::clamped(double minimum, double maximum) const {
     if (const double* number = std::get_if<double>(&value_)) {
-        return std::min(std::max(*number, minimum), maximum);
+        return {std::min(std::max(*number, minimum), maximum), unit_};
     }
-    return Scalar(std::get<Formula>(value_).clamped(minimum, maximum));
+    return {std::get<Formula>(value_).clamped(minimum, maximum), unit_};
 }
 
 Expr Scalar::emit(Graph& graph) const {

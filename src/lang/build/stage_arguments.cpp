@@ -311,7 +311,7 @@ StageBuilder::Given StageBuilder::given(const Assigned& assigned) {
     Given made{
         {assigned.name, camera::Failed{}}, {tree_.at(expression)}, assigned.name_span, expression};
     if (assigned.element) {
-        made.named.value = quantity(assigned.element->value);
+        made.named.value = scalar(assigned.element->value);
         made.place = {assigned.element->place};
     } else if (assigned.parameter != nullptr) {
         Located located = value(*assigned.parameter, assigned.expressions);

@@ -77,8 +77,7 @@ StageBuilder::Located StageBuilder::table(const camera::PointsParameter& type, E
         Written place;
         camera::Tuple point;
         for (std::size_t i = 0; i < line.size(); ++i) {
-            point.push_back(
-                {camera::Scalar(line[i].value), line[i].angle ? Unit::angle : Unit::number});
+            point.push_back({line[i].value, line[i].angle ? Unit::angle : Unit::number});
             place.parts.push_back({read->at(line[i])});
             if (numbers || i + 1 == line.size()) {
                 place.span = join(place.parts.front().span, place.parts.back().span);

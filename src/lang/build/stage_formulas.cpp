@@ -63,8 +63,8 @@ StageBuilder::Located StageBuilder::formula(std::string_view name,
         }
     }
     if (good && has_shape(results.size())) {
-        made.value = camera::FormulaValue{
-            camera::Formula(graph_, std::move(variables), std::move(results)), std::move(units)};
+        made.value =
+            camera::Formula(graph_, std::move(variables), std::move(results), std::move(units));
     }
     return made;
 }

@@ -94,17 +94,14 @@ StageBuilder::Located StageBuilder::unsuitable(ExpressionId given) {
 
 // ------------------------------------------------------------------------------------- numbers
 
-camera::Quantity StageBuilder::quantity(const Value& value) const {
-    const camera::Scalar number = value.is_constant()
-                                      ? camera::Scalar(value.constant())
-                                      : camera::Scalar(camera::Formula(graph_, {}, {value.expr}));
-    return {number, value.unit};
+camera::Scalar StageBuilder::scalar(const Value& value) const {
+    return {camera::Formula(graph_, {}, {value.expr}), value.unit};
 }
 
 camera::Tuple StageBuilder::tuple(const Value& value) const {
     camera::Tuple made;
     for (const Element& element : *value.elements) {
-        made.push_back(quantity(element.value));
+        made.push_back(scalar(element.value));
     }
     return made;
 }
@@ -124,7 +121,7 @@ StageBuilder::Located StageBuilder::located(const Value& value, const SourceSpan
         return {Failed{}, {span}};
     }
     switch (value.form) {
-        case Value::Form::number: return {quantity(value), {span}};
+        case Value::Form::number: return {scalar(value), {span}};
         case Value::Form::tuple: return {tuple(value), place_of(value, span)};
         case Value::Form::list: break;
     }
@@ -187,7 +184,7 @@ StageBuilder::Located StageBuilder::points(const camera::PointsParameter& type,
     camera::Points made;
     for (const Element& element : *list.elements) {
         made.push_back(element.value.elements ? tuple(element.value)
-                                              : camera::Tuple{quantity(element.value)});
+                                              : camera::Tuple{scalar(element.value)});
     }
     return {std::move(made), place_of(list, span)};
 }

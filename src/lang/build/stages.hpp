@@ -135,7 +135,7 @@ private:
     Located stages(const camera::NestedStageParameter& type, std::span<const ExpressionId> given);
     [[nodiscard]] bool is_number(camera::StageKind kind, const Expression& node);
     Located unsuitable(ExpressionId given);
-    [[nodiscard]] camera::Quantity quantity(const Value& value) const;
+    [[nodiscard]] camera::Scalar scalar(const Value& value) const;
     [[nodiscard]] camera::Tuple tuple(const Value& value) const;
     [[nodiscard]] static Written place_of(const Value& value, const SourceSpan& span);
     std::optional<std::string> named_axis(const Expression& node);
