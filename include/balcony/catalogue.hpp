@@ -287,6 +287,9 @@ private:
     std::optional<Formula> formula_;
 };
 
+/// The stage that a maker makes of arguments.
+using StageResult = Result<std::shared_ptr<const Stage>>;
+
 /// One row of the catalogue: all that the language, the command and the documentation know. Texts
 /// are not copied: they must outlive the row, as literals do.
 struct StageEntry {
@@ -296,7 +299,7 @@ struct StageEntry {
     /// What the stage does as mathematics, in lines of plain text without a margin.
     std::string_view formula{};
     std::vector<StageParameter> parameters{};
-    std::function<Result<std::shared_ptr<const Stage>>(const Arguments& arguments)> make{};
+    std::function<StageResult(const Arguments& arguments)> make{};
     /// Of a stage that is itself a formula, such as surface(u, v) = [x, y, z]; it has no
     /// parameters.
     std::optional<FormulaShape> shape{};

@@ -101,12 +101,10 @@ struct Binding {
 // -------------------------------------------------------------------------------- making
 
 /// The stage that a row's maker makes from checked arguments.
-[[nodiscard]] Result<std::shared_ptr<const Stage>> make_stage(const StageEntry& row,
-                                                              const Arguments& arguments);
+[[nodiscard]] StageResult make_stage(const StageEntry& row, const Arguments& arguments);
 
 /// The same from values.
-[[nodiscard]] Result<std::shared_ptr<const Stage>> make_stage(const StageEntry& row,
-                                                              std::span<const NamedValue> values);
+[[nodiscard]] StageResult make_stage(const StageEntry& row, std::span<const NamedValue> values);
 
 /// The same by the stage's kind and name, of which an unknown one is an error.
 [[nodiscard]] Result<std::shared_ptr<const Stage>> make_stage(
@@ -161,7 +159,7 @@ template <class Port>
 [[nodiscard]] Result<std::shared_ptr<const Port>> make_stage(
     std::string_view name, std::initializer_list<NamedValue> values = {},
     const Catalogue& known = catalogue()) {
-    Result<std::shared_ptr<const Stage>> made = make_stage(kind_of<Port>(), name, values, known);
+    StageResult made = make_stage(kind_of<Port>(), name, values, known);
     if (!made) {
         return std::move(made.diagnostics);
     }

@@ -256,7 +256,7 @@ std::shared_ptr<const expr::Table> grey_table(const GreyImage& image, bool inver
     return table;
 }
 
-Result<std::shared_ptr<const Stage>> make_polygon(const Arguments& a) {
+StageResult make_polygon(const Arguments& a) {
     const PointList& corners = a.points("points");
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const auto here = corners[i];
@@ -308,8 +308,7 @@ constexpr std::string_view image_example = R"(picture masked {
 // Clip shapes with a formula for their edge.
 std::vector<StageEntry> round_shapes() {
     return {
-        {.kind = StageKind::clip_shape,
-         .name = "rectangle",
+        {.name = "rectangle",
          .meaning = "the whole window of the layer",
          .formula = R"(
 |X| ≤ W/2 and |Y| ≤ H/2
@@ -317,8 +316,7 @@ X = x − W/2,   Y = H/2 − y for the point (x, y) of an image of W × H pixels
 )",
          .make = [](const Arguments&) { return made<Rectangle>(); },
          .example = rectangle_example},
-        {.kind = StageKind::clip_shape,
-         .name = "ellipse",
+        {.name = "ellipse",
          .meaning = "the largest ellipse in the layer's image",
          .formula = R"(
 (2X/W)² + (2Y/H)² ≤ 1
@@ -326,34 +324,28 @@ X = x − W/2,   Y = H/2 − y for the point (x, y) of an image of W × H pixels
 )",
          .make = [](const Arguments&) { return made<Ellipse>(); },
          .example = ellipse_example},
-        {.kind = StageKind::clip_shape,
-         .name = "ring",
+        {.name = "ring",
          .meaning = "the largest ellipse in the layer's image, with a hole",
          .formula = R"(
 inner² ≤ (2X/W)² + (2Y/H)² ≤ 1
 X = x − W/2,   Y = H/2 − y for the point (x, y) of an image of W × H pixels
 )",
-         .parameters = {{.name = "inner",
-                         .type = NumberParameter{.default_value = 0.5,
-                                                 .range = {.minimum = 0.0,
-                                                           .maximum = 1.0,
-                                                           .excludes_minimum = true}},
-                         .meaning = "size of the hole, relative to the ellipse"}},
-         .make = [](const Arguments& a) { return made<Ring>(a.number("inner")); },
+         .parameters = {number_parameter(
+             "inner", 0.5, "size of the hole, relative to the ellipse",
+             {.minimum = 0.0, .maximum = 1.0, .excludes_minimum = true})},
+         .make = maker<Ring>("inner"),
          .example = ring_example},
-        {.kind = StageKind::clip_shape,
-         .name = "rounded",
+        {.name = "rounded",
          .meaning = "a rectangle with rounded corners",
          .formula = R"(
 |X| ≤ W/2, |Y| ≤ H/2 and, in the corners, |(|X| − W/2 + R, |Y| − H/2 + R)| ≤ R
 R = radius min(W, H)
 X = x − W/2,   Y = H/2 − y for the point (x, y) of an image of W × H pixels
 )",
-         .parameters = {{.name = "radius",
-                         .type = NumberParameter{.default_value = 0.1,
-                                                 .range = {.minimum = 0.0, .maximum = 0.5}},
-                         .meaning = "radius of the corners, as a fraction of the shorter side"}},
-         .make = [](const Arguments& a) { return made<RoundedRectangle>(a.number("radius")); },
+         .parameters = {number_parameter("radius", 0.1,
+                                         "radius of the corners, as a fraction of the shorter side",
+                                         {.minimum = 0.0, .maximum = 0.5})},
+         .make = maker<RoundedRectangle>("radius"),
          .example = rounded_example},
     };
 }
@@ -368,8 +360,7 @@ ClipShapePointer whole_rectangle() {
 std::vector<StageEntry> clip_shapes() {
     std::vector<StageEntry> rows = round_shapes();
     rows.push_back(
-        {.kind = StageKind::clip_shape,
-         .name = "polygon",
+        {.name = "polygon",
          .meaning = "the inside of a polygon, by the even-odd rule",
          .formula = R"(
 The ray from the point to the right crosses an odd number of sides.
@@ -382,8 +373,7 @@ corners (a W, b H) from the top left, the last connected to the first
          .make = make_polygon,
          .example = polygon_example});
     rows.push_back(
-        {.kind = StageKind::clip_shape,
-         .name = "star",
+        {.name = "star",
          .meaning = "a star, with one tip at the top",
          .formula = R"(
 The polygon with the corners k = 0 … 2 points − 1 at (X, Y) =
@@ -409,8 +399,7 @@ X = x − W/2,   Y = H/2 − y for the point (x, y) of an image of W × H pixels
              },
          .example = star_example});
     rows.push_back(
-        {.kind = StageKind::clip_shape,
-         .name = "formula",
+        {.name = "formula",
          .meaning = "where a formula is above 0: formula(x, y) = [f], x and y from -1 to 1, to the "
                     "right and up",
          .formula = R"(
@@ -420,8 +409,7 @@ X = x − W/2,   Y = H/2 − y for the point (x, y) of an image of W × H pixels
          .make = [](const Arguments& a) { return made<ClipFormula>(a.formula()); },
          .shape = FormulaShape{2, 1, 1},
          .example = formula_example});
-    rows.push_back({.kind = StageKind::clip_shape,
-                    .name = "image",
+    rows.push_back({.name = "image",
                     .meaning = "a grey image as a mask: white is visible, black is not",
                     .formula = R"(
 coverage = g, or 1 − g if inverted
@@ -430,9 +418,8 @@ g   the grey value of the image, bilinear between the centres of its pixels
                     .parameters = {{.name = "file",
                                     .type = ImageParameter{},
                                     .meaning = "image file, stretched over the layer's image"},
-                                   {.name = "invert",
-                                    .type = ChoiceParameter{.choices = {"no", "yes"}},
-                                    .meaning = "whether black is visible instead of white"}},
+                                   choice_parameter("invert", {"no", "yes"},
+                                                    "whether black is visible instead of white")},
                     .make =
                         [](const Arguments& a) {
                             return made<ImageMask>(

@@ -105,8 +105,7 @@ StageParameter fixed_point(std::string_view meaning) {
 }
 
 StageEntry place_row() {
-    return {.kind = StageKind::picture_arranger,
-            .name = "place",
+    return {.name = "place",
             .meaning = "places the camera's image in a part of the picture",
             .formula = R"(
 (x′, y′) = (x − from₁ W, y − from₂ H)
@@ -120,7 +119,7 @@ StageEntry place_row() {
                            {.name = "to",
                             .type = PairParameter{.default_value = std::array{1.0, 1.0}},
                             .meaning = "bottom right corner, as a fraction of the picture"}},
-            .make = [](const Arguments& a) -> Result<std::shared_ptr<const Stage>> {
+            .make = [](const Arguments& a) -> StageResult {
                 const auto from = a.pair("from");
                 const auto to = a.pair("to");
                 for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
@@ -145,8 +144,7 @@ StageEntry place_row() {
 std::vector<StageEntry> picture_affine() {
     return {
         place_row(),
-        {.kind = StageKind::picture_arranger,
-         .name = "shift",
+        {.name = "shift",
          .meaning = "shifts the image",
          .formula = R"(
 (x′, y′) = (x − by₁ W, y − by₂ H)
@@ -155,14 +153,13 @@ std::vector<StageEntry> picture_affine() {
          .parameters = {{.name = "by",
                          .type = PairParameter{},
                          .meaning = "offset to the right and down, as a fraction of the picture"}},
-         .make = [](const Arguments& a) { return made<Shift>(a.pair("by")); },
+         .make = maker<Shift>("by"),
          .example = R"(camera shifted {
     arrange shift((0.2, 0.1))
     map     u = 60deg .. -60deg, v = square
     eye     sphere(1)
 })"},
-        {.kind = StageKind::picture_arranger,
-         .name = "scale",
+        {.name = "scale",
          .meaning = "scales the image",
          .formula = R"(
 (x′, y′) = (x − at₁ (W − W′), y − at₂ (H − H′))
@@ -174,14 +171,13 @@ std::vector<StageEntry> picture_affine() {
                                                .one_for_both = true},
                          .meaning = "factors for width and height; below 1 reduces the image"},
                         fixed_point("the fixed point, as a fraction of the picture")},
-         .make = [](const Arguments& a) { return made<ScalePicture>(a.pair("by"), a.pair("at")); },
+         .make = maker<ScalePicture>("by", "at"),
          .example = R"(camera smaller {
     arrange scale(0.8, at = (1, 0.5))
     map     u = 60deg .. -60deg, v = square
     eye     sphere(1)
 })"},
-        {.kind = StageKind::picture_arranger,
-         .name = "rotate",
+        {.name = "rotate",
          .meaning = "rotates the image",
          .formula = R"(
 x′ = c₁ + (x − c₁) cos angle − (y − c₂) sin angle
@@ -193,25 +189,20 @@ y points down, so the image turns counter-clockwise.
                          .type = NumberParameter{.unit = Unit::angle},
                          .meaning = "angle, counter-clockwise"},
                         fixed_point("the fixed point, as a fraction of the picture")},
-         .make =
-             [](const Arguments& a) {
-                 return made<RotatePicture>(a.number("angle"), a.pair("at"));
-             },
+         .make = maker<RotatePicture>("angle", "at"),
          .example = R"(camera turned {
     arrange scale(0.8), rotate(10deg)
     map     u = 60deg .. -60deg, v = square
     eye     sphere(1)
 })"},
-        {.kind = StageKind::picture_arranger,
-         .name = "mirror",
+        {.name = "mirror",
          .meaning = "mirrors the image",
          .formula = R"(
 x:  (x′, y′) = (W − x, y)        y:  (x′, y′) = (x, H − y)
 (x, y)   the point in pixels from the top left of a picture of W × H pixels
 )",
-         .parameters = {{.name = "axis",
-                         .type = ChoiceParameter{.choices = {"x", "y"}},
-                         .meaning = "x exchanges left and right, y exchanges top and bottom"}},
+         .parameters = {choice_parameter("axis", {"x", "y"},
+                                         "x exchanges left and right, y exchanges top and bottom")},
          .make = [](const Arguments& a) { return made<Mirror>(a.choice("axis") == "x"); },
          .example = R"(camera in_the_mirror {
     arrange mirror(x)

@@ -91,7 +91,6 @@ private:
 
 StageEntry zoom_row() {
     return {
-        .kind = StageKind::picture_arranger,
         .name = "zoom",
         .meaning = "local zoom: magnifies around a point of the picture and keeps the rest visible",
         .formula = R"(
@@ -107,10 +106,7 @@ q = |d|²/(radius H)²
                            "radius", 0.3,
                            "radius of the affected region, as a fraction of the height"),
                        positive_parameter("strength", 2.0, "magnification at the centre")},
-        .make =
-            [](const Arguments& a) {
-                return made<ZoomPicture>(a.pair("at"), a.number("radius"), a.number("strength"));
-            },
+        .make = maker<ZoomPicture>("at", "radius", "strength"),
         .example = R"(camera under_the_glass {
     arrange zoom(at = (0.4, 0.5), radius = 0.4, strength = 3)
     map     u = 60deg .. -60deg, v = square
@@ -119,32 +115,26 @@ q = |d|²/(radius H)²
 }
 
 StageEntry ripple_row() {
-    return {
-        .kind = StageKind::picture_arranger,
-        .name = "ripple",
-        .meaning = "circular waves, like those of a drop on water",
-        .formula = R"(
+    return {.name = "ripple",
+            .meaning = "circular waves, like those of a drop on water",
+            .formula = R"(
 (x′, y′) = c + (r′/r) d      c = (at₁ W, at₂ H),   d = (x, y) − c,   r = |d|
 r′ = r + amplitude H sin(2π r/(wavelength H) − phase)
 (x, y)   the point in pixels from the top left of a picture of W × H pixels
 It folds over where 2π amplitude > wavelength.
 )",
-        .parameters =
-            {number_parameter("amplitude", 0.01,
-                              "amplitude of the waves, as a fraction of the height"),
-             positive_parameter("wavelength", 0.1, "wavelength, as a fraction of the height"),
-             {.name = "at",
-              .type = PairParameter{.default_value = std::array{0.5, 0.5}},
-              .meaning = "centre of the waves, as a fraction of the picture"},
-             {.name = "phase",
-              .type = NumberParameter{.unit = Unit::angle, .default_value = 0.0},
-              .meaning = "phase: how far the waves have moved outwards; 360deg is one wavelength"}},
-        .make =
-            [](const Arguments& a) {
-                return made<Ripple>(a.number("amplitude"), a.number("wavelength"), a.pair("at"),
-                                    a.number("phase"));
-            },
-        .example = R"(camera in_the_pond {
+            .parameters =
+                {number_parameter("amplitude", 0.01,
+                                  "amplitude of the waves, as a fraction of the height"),
+                 positive_parameter("wavelength", 0.1, "wavelength, as a fraction of the height"),
+                 {.name = "at",
+                  .type = PairParameter{.default_value = std::array{0.5, 0.5}},
+                  .meaning = "centre of the waves, as a fraction of the picture"},
+                 angle_parameter(
+                     "phase", 0.0,
+                     "phase: how far the waves have moved outwards; 360deg is one wavelength")},
+            .make = maker<Ripple>("amplitude", "wavelength", "at", "phase"),
+            .example = R"(camera in_the_pond {
     arrange ripple(amplitude = 0.01, wavelength = 0.15, phase = t*360deg)
     map     u = 60deg .. -60deg, v = square
     eye     sphere(1)
@@ -157,8 +147,7 @@ std::vector<StageEntry> picture_warps() {
     return {
         zoom_row(),
         ripple_row(),
-        {.kind = StageKind::picture_arranger,
-         .name = "formula",
+        {.name = "formula",
          .meaning =
              "a map of the picture: formula(x, y) = [x', y'], from -1 to 1, to the right and up",
          .formula = R"(

@@ -70,9 +70,8 @@ std::vector<std::string_view> coefficient_names(std::string_view model) {
 
 /// The camera of a file by the row of its model, with width and height from the arguments if they
 /// are given there.
-Result<std::shared_ptr<const Stage>> make_from_file(const Arguments& a, const std::string& file,
-                                                    Calibration calibration,
-                                                    std::string_view model) {
+StageResult make_from_file(const Arguments& a, const std::string& file, Calibration calibration,
+                           std::string_view model) {
     for (const std::string_view size : {"width", "height"}) {
         if (a.has(size)) {
             std::erase_if(calibration.numbers,
@@ -98,7 +97,7 @@ Result<std::shared_ptr<const Stage>> make_from_file(const Arguments& a, const st
     for (std::size_t i = 0; i < calibration.distortion.size(); ++i) {
         values.push_back({names[i], Scalar(calibration.distortion[i], Unit::either)});
     }
-    Result<std::shared_ptr<const Stage>> made = make_stage(*row, values);
+    StageResult made = make_stage(*row, values);
     if (!made || a.choice("pose") == "standard") {
         return made;
     }
@@ -171,24 +170,22 @@ StageParameter size_parameter(std::string_view name, std::string_view meaning) {
 }
 
 std::vector<StageParameter> placing_parameters() {
-    return {size_parameter("width",
-                           "the width of the calibrated image in pixels; without it, that "
-                           "of the file"),
-            size_parameter("height", "its height in pixels"),
-            {.name = "pose",
-             .type = ChoiceParameter{.choices = {"standard", "file"}},
-             .meaning = "where the camera is: at the origin, looking along x with z up; or where "
-                        "the file has it in its world"},
-            sphere_parameter()};
+    return {
+        size_parameter("width",
+                       "the width of the calibrated image in pixels; without it, that "
+                       "of the file"),
+        size_parameter("height", "its height in pixels"),
+        choice_parameter("pose", {"standard", "file"},
+                         "where the camera is: at the origin, looking along x with z up; or where "
+                         "the file has it in its world"),
+        sphere_parameter()};
 }
 
 }  // namespace
 
 std::vector<StageEntry> calibration_files() {
-    constexpr std::string_view section = "Calibrated cameras";
     return {
-        {.kind = StageKind::object_generator,
-         .name = "opencv",
+        {.name = "opencv",
          .meaning = "the calibrated camera of a YAML file of OpenCV or ROS",
          .formula = R"(
 that of opencv_pinhole, opencv_fisheye or omnidirectional
@@ -198,22 +195,18 @@ with the numbers of the file
              std::vector{file_parameter("the file: camera_matrix, "
                                         "distortion_coefficients, image_width, "
                                         "image_height, or their usual other names"),
-                         StageParameter{.name = "model",
-                                        .type = ChoiceParameter{.choices = {"file", "pinhole",
-                                                                            "fisheye", "omnidir"}},
-                                        .meaning = "OpenCV's model: what the file says, or pinhole "
-                                                   "if it says nothing"}} +
+                         choice_parameter("model", {"file", "pinhole", "fisheye", "omnidir"},
+                                          "OpenCV's model: what the file says, or pinhole "
+                                          "if it says nothing")} +
              placing_parameters(),
          .make = make_opencv,
          .dimension = 2,
-         .section = section,
          .example = R"(
 camera webcam {
     eye opencv("webcam.yml")
 }
 )"},
-        {.kind = StageKind::object_generator,
-         .name = "colmap",
+        {.name = "colmap",
          .meaning = "a calibrated camera of COLMAP's cameras.txt, of any of its models",
          .formula = R"(
 that of the model's own object with the file's numbers
@@ -229,7 +222,6 @@ that of the model's own object with the file's numbers
              placing_parameters(),
          .make = make_colmap,
          .dimension = 2,
-         .section = section,
          .example = R"(
 camera survey {
     eye colmap("cameras.txt", camera = 2)

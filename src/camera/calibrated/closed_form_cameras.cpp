@@ -136,11 +136,11 @@ private:
 };
 
 template <class Model, class... Numbers>
-Result<std::shared_ptr<const Stage>> closed_form(const Arguments& a, Numbers... numbers) {
+StageResult closed_form(const Arguments& a, Numbers... numbers) {
     return {calibrated_camera(a, frame_of(a), std::make_shared<const Model>(numbers...))};
 }
 
-Result<std::shared_ptr<const Stage>> make_scaramuzza(const Arguments& a) {
+StageResult make_scaramuzza(const Arguments& a) {
     const std::array affine{a.constant("c"), a.constant("d"), a.constant("e")};
     if (affine[0] == affine[1] * affine[2]) {
         return error("the affine matrix ((c, d), (e, 1)) has no inverse", {},

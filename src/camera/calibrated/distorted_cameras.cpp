@@ -125,10 +125,8 @@ Diagnostics warn_of_fold(const ImageFrame& frame, const Distortion& distortion,
         {}, "check the coefficients and their order; OpenCV has k1, k2, p1, p2, k3")};
 }
 
-Result<std::shared_ptr<const Stage>> distorted_camera(const Arguments& a,
-                                                      const Distortion& distortion,
-                                                      const Chart& chart,
-                                                      const Tilt& tilt = Tilt(0.0, 0.0)) {
+StageResult distorted_camera(const Arguments& a, const Distortion& distortion, const Chart& chart,
+                             const Tilt& tilt = Tilt(0.0, 0.0)) {
     const ImageFrame frame = frame_of(a);
     Undistortion undistortion(distortion, reach_of(frame, tilt), chart.limit());
     if (!undistortion.exists()) {
@@ -154,7 +152,7 @@ std::vector<double> coefficients(const Arguments& a, double first,
     return made;
 }
 
-Result<std::shared_ptr<const Stage>> make_pinhole(const Arguments& a) {
+StageResult make_pinhole(const Arguments& a) {
     return distorted_camera(
         a,
         {.numerator = coefficients(a, 1.0, {"k1", "k2", "k3"}),
@@ -164,12 +162,12 @@ Result<std::shared_ptr<const Stage>> make_pinhole(const Arguments& a) {
         Chart(Chart::Kind::perspective), Tilt(a.constant("tau_x"), a.constant("tau_y")));
 }
 
-Result<std::shared_ptr<const Stage>> make_fisheye(const Arguments& a) {
+StageResult make_fisheye(const Arguments& a) {
     return distorted_camera(a, {.numerator = coefficients(a, 1.0, {"k1", "k2", "k3", "k4"})},
                             Chart(Chart::Kind::equidistant));
 }
 
-Result<std::shared_ptr<const Stage>> make_thin_prism_fisheye(const Arguments& a) {
+StageResult make_thin_prism_fisheye(const Arguments& a) {
     return distorted_camera(a,
                             {.numerator = coefficients(a, 1.0, {"k1", "k2", "k3", "k4"}),
                              .tangential = {a.constant("p1"), a.constant("p2")},
@@ -177,13 +175,13 @@ Result<std::shared_ptr<const Stage>> make_thin_prism_fisheye(const Arguments& a)
                             Chart(Chart::Kind::equidistant));
 }
 
-Result<std::shared_ptr<const Stage>> make_kannala_brandt(const Arguments& a) {
+StageResult make_kannala_brandt(const Arguments& a) {
     return distorted_camera(
         a, {.numerator = coefficients(a, a.constant("k1"), {"k2", "k3", "k4", "k5"})},
         Chart(Chart::Kind::equidistant));
 }
 
-Result<std::shared_ptr<const Stage>> make_omnidirectional(const Arguments& a) {
+StageResult make_omnidirectional(const Arguments& a) {
     return distorted_camera(a,
                             {.numerator = coefficients(a, 1.0, {"k1", "k2"}),
                              .tangential = {a.constant("p1"), a.constant("p2")}},

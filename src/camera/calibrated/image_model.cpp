@@ -81,11 +81,10 @@ std::vector<StageParameter> frame_parameters() {
         {.name = "skew",
          .type = NumberParameter{.default_value = 0.0, .constant = true},
          .meaning = "how much x in pixels grows with y in focal lengths"},
-        {.name = "origin",
-         .type = ChoiceParameter{.choices = {"pixel_center", "pixel_corner"}},
-         .meaning =
-             "where cx = cy = 0 is: in the centre of the top left pixel, as in OpenCV, or in "
-             "its outer corner, as in COLMAP"},
+        choice_parameter(
+            "origin", {"pixel_center", "pixel_corner"},
+            "where cx = cy = 0 is: in the centre of the top left pixel, as in OpenCV, or in "
+            "its outer corner, as in COLMAP"),
     };
 }
 
@@ -123,10 +122,8 @@ std::shared_ptr<const Stage> calibrated_camera(const Arguments& a, const ImageFr
 }
 
 StageEntry calibrated_row(StageEntry row) {
-    row.kind = StageKind::object_generator;
     row.parameters = frame_parameters() + row.parameters + std::vector{sphere_parameter()};
     row.dimension = 2;
-    row.section = "Calibrated cameras";
     return row;
 }
 

@@ -87,8 +87,10 @@ void sort_by_kind(Rows& rows) {
 std::shared_ptr<const Rows> built_in_rows() {
     static const std::shared_ptr<const Rows> rows = [] {
         Rows all;
-        for (const auto family : families) {
-            for (StageEntry& row : family()) {
+        for (const Family& family : families) {
+            for (StageEntry& row : family.rows()) {
+                row.kind = family.kind.value_or(row.kind);
+                row.section = family.section;
                 all.push_back(std::move(row));
             }
         }
@@ -143,11 +145,10 @@ struct Contradiction {
                    : "";
     }
     std::string operator()(const FormulaParameter& type) const { return of(type.shape); }
-    std::string operator()(const NameParameter&) const { return {}; }
-    std::string operator()(const ImageParameter&) const { return {}; }
-    std::string operator()(const MeshParameter&) const { return {}; }
-    std::string operator()(const MapParameter&) const { return {}; }
-    std::string operator()(const CalibrationParameter&) const { return {}; }
+    template <class Other>
+    std::string operator()(const Other&) const {
+        return {};
+    }
 
     static std::string of(const FormulaShape& shape) {
         return shape.min_results >= 1 && shape.min_results <= shape.max_results

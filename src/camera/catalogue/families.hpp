@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <memory>
+#include <optional>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -12,13 +16,31 @@ namespace balcony::camera {
 
 /// A stage as a maker returns it.
 template <class Concrete, class... Values>
-Result<std::shared_ptr<const Stage>> made(Values&&... values) {
+StageResult made(Values&&... values) {
     return {std::make_shared<const Concrete>(std::forward<Values>(values)...)};
+}
+
+/// A checked argument, as what a constructor takes.
+struct Argument {
+    const Arguments& all;
+    std::string_view name;
+
+    operator Scalar() const { return all.number(name); }
+    operator double() const { return all.constant(name); }
+    operator std::size_t() const { return all.count(name); }
+    operator std::array<Scalar, 2>() const { return all.pair(name); }
+    operator std::array<Scalar, 3>() const { return all.triple(name); }
+};
+
+/// The maker of a stage whose constructor takes the parameters with these names, in this order.
+template <class Concrete, class... Names>
+auto maker(Names... names) {
+    return [names...](const Arguments& a) { return made<Concrete>(Argument{a, names}...); };
 }
 
 /// A stage of a known port as a maker returns it.
 template <class Port>
-Result<std::shared_ptr<const Stage>> as_stage(Result<std::shared_ptr<const Port>> made) {
+StageResult as_stage(Result<std::shared_ptr<const Port>> made) {
     if (!made) {
         return std::move(made.diagnostics);
     }
@@ -78,57 +100,64 @@ Result<std::shared_ptr<const Stage>> as_stage(Result<std::shared_ptr<const Port>
 [[nodiscard]] std::vector<StageEntry> lenses();
 [[nodiscard]] std::vector<StageEntry> focus_surfaces();
 
-inline constexpr auto families = {
-    picture_affine,
-    picture_warps,
-    clip_shapes,
-    picture_mappers,
-    parameter_affine,
-    local_zoom,
-    formula_transformers,
-    primitives,
-    curve_primitives,
-    surface_primitives,
-    spheres,
-    map_projections,
-    conics,
-    superconics,
-    spherical_product,
-    quadrics,
-    fractals,
-    spline_curves,
-    spline_surfaces,
-    arc_length_curve,
-    sweeps,
-    formula_objects,
-    mesh_surface,
-    screens,
-    ray_maps,
-    panini,
-    mirrors,
-    calibration_files,
-    distorted_cameras,
-    closed_form_cameras,
-    object_affine,
-    camera_placements,
-    parallel_surface,
-    projection,
-    normal_rule,
-    direction_rules,
-    curve_rules,
-    optical_rules,
-    blended_rule,
-    stereo_views,
-    lenses,
-    focus_surfaces,
-    complex_maps,
-    coins,
-    deformations,
-    repeats,
-    grids,
-    seed_warps,
-    line_pair_warp,
-    st_maps,
+/// A family's rows, and what they need not say one by one.
+struct Family {
+    std::vector<StageEntry> (*rows)();
+    std::optional<StageKind> kind{};  ///< Without it, each row has its own.
+    std::string_view section{};
+};
+
+inline constexpr std::array families = {
+    Family{picture_affine, StageKind::picture_arranger},
+    Family{picture_warps, StageKind::picture_arranger},
+    Family{clip_shapes, StageKind::clip_shape},
+    Family{picture_mappers, StageKind::picture_mapper},
+    Family{parameter_affine, StageKind::parameter_transformer},
+    Family{local_zoom, StageKind::parameter_transformer},
+    Family{formula_transformers},
+    Family{primitives, StageKind::object_generator},
+    Family{curve_primitives, StageKind::object_generator},
+    Family{surface_primitives, StageKind::object_generator},
+    Family{spheres, StageKind::object_generator},
+    Family{map_projections, StageKind::object_generator, "Map projections"},
+    Family{conics, StageKind::object_generator, "Conics and superconics"},
+    Family{superconics, StageKind::object_generator, "Conics and superconics"},
+    Family{spherical_product, StageKind::object_generator, "Quadrics and superquadrics"},
+    Family{quadrics, StageKind::object_generator, "Quadrics and superquadrics"},
+    Family{fractals, StageKind::object_generator, "Fractal objects"},
+    Family{spline_curves, StageKind::object_generator, "General curves"},
+    Family{spline_surfaces, StageKind::object_generator, "Free-form surfaces"},
+    Family{arc_length_curve, StageKind::object_generator, "General curves"},
+    Family{sweeps, StageKind::object_generator, "Sweeps"},
+    Family{formula_objects, StageKind::object_generator, "Objects from formulas"},
+    Family{mesh_surface, StageKind::object_generator, "Free-form surfaces"},
+    Family{screens, StageKind::object_generator},
+    Family{ray_maps, StageKind::object_generator, "Free-form surfaces"},
+    Family{panini, StageKind::object_generator},
+    Family{mirrors, StageKind::object_generator, "Mirrors"},
+    Family{calibration_files, StageKind::object_generator, "Calibrated cameras"},
+    Family{distorted_cameras, StageKind::object_generator, "Calibrated cameras"},
+    Family{closed_form_cameras, StageKind::object_generator, "Calibrated cameras"},
+    Family{object_affine, StageKind::object_transformer},
+    Family{camera_placements, StageKind::object_transformer},
+    Family{parallel_surface, StageKind::object_transformer},
+    Family{projection, StageKind::object_transformer},
+    Family{normal_rule, StageKind::direction_rule},
+    Family{direction_rules, StageKind::direction_rule},
+    Family{curve_rules, StageKind::direction_rule},
+    Family{optical_rules, StageKind::direction_rule},
+    Family{blended_rule, StageKind::direction_rule},
+    Family{stereo_views, StageKind::stereo_view},
+    Family{lenses, StageKind::lens},
+    Family{focus_surfaces, StageKind::focus},
+    Family{complex_maps, StageKind::parameter_transformer},
+    Family{coins, StageKind::object_transformer},
+    Family{deformations, StageKind::object_transformer},
+    Family{repeats},
+    Family{grids},
+    Family{seed_warps},
+    Family{line_pair_warp, StageKind::parameter_transformer},
+    Family{st_maps, StageKind::parameter_transformer},
 };
 
 }  // namespace balcony::camera

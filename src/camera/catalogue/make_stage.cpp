@@ -9,8 +9,6 @@
 
 namespace balcony::camera {
 
-using StageResult = Result<std::shared_ptr<const Stage>>;
-
 std::string with_article(std::string_view noun) {
     return fmt::format("{} {}", noun.starts_with('o') ? "an" : "a", noun);
 }

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "balcony/catalogue.hpp"
@@ -39,19 +40,33 @@ inline std::vector<StageParameter> operator+(std::vector<StageParameter> first,
     return first;
 }
 
-/// An optional number.
+/// An optional number in a range.
 inline StageParameter number_parameter(std::string_view name, double value,
-                                       std::string_view meaning) {
-    return {.name = name, .type = NumberParameter{.default_value = value}, .meaning = meaning};
+                                       std::string_view meaning, const Range& range = {}) {
+    return {.name = name,
+            .type = NumberParameter{.default_value = value, .range = range},
+            .meaning = meaning};
 }
 
 /// An optional number above 0.
 inline StageParameter positive_parameter(std::string_view name, double value,
                                          std::string_view meaning) {
+    return number_parameter(name, value, meaning, {.minimum = 0.0, .excludes_minimum = true});
+}
+
+/// An optional angle.
+inline StageParameter angle_parameter(std::string_view name, double value,
+                                      std::string_view meaning) {
     return {.name = name,
-            .type = NumberParameter{.default_value = value,
-                                    .range = {.minimum = 0.0, .excludes_minimum = true}},
+            .type = NumberParameter{.unit = Unit::angle, .default_value = value},
             .meaning = meaning};
+}
+
+/// A word; the first of the choices is the default.
+inline StageParameter choice_parameter(std::string_view name, std::vector<std::string_view> choices,
+                                       std::string_view meaning) {
+    return {
+        .name = name, .type = ChoiceParameter{.choices = std::move(choices)}, .meaning = meaning};
 }
 
 /// An optional point or vector in PCS.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "camera/curves/spline_tables.hpp"
+#include "camera/catalogue/stage_parameters.hpp"
 
 #include <algorithm>
 
@@ -139,13 +140,11 @@ StageParameter optional_degree_parameter(std::string_view meaning, std::string_v
 }
 
 StageParameter ends_parameter(std::string_view name, std::string_view meaning) {
-    return {.name = name,
-            .type = ChoiceParameter{.choices = {"clamped", "open", "closed"}},
-            .meaning = meaning};
+    return choice_parameter(name, {"clamped", "open", "closed"}, meaning);
 }
 
 StageParameter closed_parameter(std::string_view name, std::string_view meaning) {
-    return {.name = name, .type = ChoiceParameter{.choices = {"no", "yes"}}, .meaning = meaning};
+    return choice_parameter(name, {"no", "yes"}, meaning);
 }
 
 }  // namespace balcony::camera

@@ -134,7 +134,7 @@ StageParameter coordinate(std::string_view name, std::string_view meaning) {
     return {.name = name, .type = NumberParameter{}, .meaning = meaning};
 }
 
-Result<std::shared_ptr<const Stage>> make_plane_focus(const Arguments& a) {
+StageResult make_plane_focus(const Arguments& a) {
     std::optional<Triple> normal;
     if (a.has("normal")) {
         normal = a.triple("normal");
@@ -148,16 +148,14 @@ Result<std::shared_ptr<const Stage>> make_plane_focus(const Arguments& a) {
 }
 
 std::vector<StageEntry> measured_focus() {
-    const StageKind kind = StageKind::focus;
     return {
-        {.kind = kind,
-         .name = "distance",
+        {.name = "distance",
          .meaning = "the same distance along every ray; a plain number is short for it",
          .formula = R"(
 s = distance
 )",
          .parameters = {distance_parameter("from the origin of each ray, along the ray")},
-         .make = [](const Arguments& a) { return made<DistanceFocus>(a.number("distance")); },
+         .make = maker<DistanceFocus>("distance"),
          .example = R"(
 // A room of 100 by 50 units: all around, what is 30 units away is sharp.
 camera blurred_panorama {
@@ -168,15 +166,14 @@ camera blurred_panorama {
     lens(radius = 1.5, focus = distance(30))
 }
 )"},
-        {.kind = kind,
-         .name = "flat",
+        {.name = "flat",
          .meaning = "a plane across the ray in the middle of the picture, as photographers focus",
          .formula = R"(
 s = (distance − m·(o − o₀))/(m·d)      o, d   the ray;   o₀, m   the ray in the
 middle of the picture;   infinity where this is not positive
 )",
          .parameters = {distance_parameter("from the origin of the ray in the middle, along it")},
-         .make = [](const Arguments& a) { return made<FlatFocus>(a.number("distance")); },
+         .make = maker<FlatFocus>("distance"),
          .example = R"(
 // Perspective with a sharp plane 35 units in front of the camera, as a photographer focuses.
 camera along_the_wall {
@@ -187,8 +184,7 @@ camera along_the_wall {
     lens(radius = 2, focus = flat(35))
 }
 )"},
-        {.kind = kind,
-         .name = "at",
+        {.name = "at",
          .meaning = "as far away as a point of the scene is from the origin of each ray",
          .formula = R"(
 s = |p − o|      p = (x, y, z),   o   the origin of the ray
@@ -206,8 +202,7 @@ camera passing_by {
     lens(radius = 2, focus = at(0, 25, 0))
 }
 )"},
-        {.kind = kind,
-         .name = "plane",
+        {.name = "plane",
          .meaning = "a plane of the scene, across the ray in the middle of the picture or tilted",
          .formula = R"(
 s = n·(p − o)/(n·d)      p = through,   n = normal;   o, d   the ray
@@ -237,10 +232,8 @@ camera tilted {
 }
 
 std::vector<StageEntry> other_focus() {
-    const StageKind kind = StageKind::focus;
     return {
-        {.kind = kind,
-         .name = "on",
+        {.name = "on",
          .meaning = "the distance along the rays of an object of the scene",
          .formula = R"(
 s   the median length of the rays of the picture that meet the object first;
@@ -261,8 +254,7 @@ camera autofocus {
     lens(radius = 2, focus = on("picture 3"))
 }
 )"},
-        {.kind = kind,
-         .name = "formula",
+        {.name = "formula",
          .meaning = "a distance along each ray by its parameters: formula(u, v) = [s]",
          .formula = R"(
 s = s(u, v)      u, v   the parameters of the eye object
@@ -280,8 +272,7 @@ camera swept_focus {
     lens(radius = 2, focus = formula(u, v) = [36 - 20*u])
 }
 )"},
-        {.kind = kind,
-         .name = "by_direction",
+        {.name = "by_direction",
          .meaning = "a distance along each ray by its direction: by_direction(x, y, z) = [s]",
          .formula = R"(
 s = s(x, y, z)      (x, y, z)   the unit direction of the ray

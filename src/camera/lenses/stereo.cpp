@@ -176,7 +176,7 @@ private:
     Parts parts_;
 };
 
-Result<std::shared_ptr<const Stage>> make_stereo(const Arguments& a) {
+StageResult make_stereo(const Arguments& a) {
     StereoEye::Parts parts{a.number("separation"), a.number("side"), {}, {}, {}, {}};
     if (a.has("convergence")) {
         parts.convergence = a.number("convergence");
@@ -210,8 +210,7 @@ Result<std::shared_ptr<const Stage>> make_stereo(const Arguments& a) {
 
 std::vector<StageEntry> stereo_views() {
     return {
-        {.kind = StageKind::stereo_view,
-         .name = "stereo",
+        {.name = "stereo",
          .meaning = "one eye of a pair that stand beside each ray: the left or the right picture",
          .formula = R"(
 o′ = o + a,   d′ = d − q a      o, d   the ray, |d| = 1
@@ -223,25 +222,22 @@ N   the unit vector across the picture plane;   q = 0 without convergence
 m = (1 + cos(π s))/2,   s   from 0 to 1 between the elevations of merge
 )",
          .parameters =
-             {{.name = "separation",
-               .type = NumberParameter{.default_value = 0.064,
-                                       .range = {.minimum = 0.0, .excludes_minimum = true}},
-               .meaning = "of the eyes, in scene units; people's eyes are 0.064 m apart"},
+             {positive_parameter("separation", 0.064,
+                                 "of the eyes, in scene units; people's eyes are 0.064 m apart"),
               {.name = "convergence",
                .type = NumberParameter{.range = {.minimum = 0.0, .excludes_minimum = true}},
                .optional = true,
                .meaning = "the distance at which both pictures agree: what is there appears on the "
                           "screen; without it, what is infinitely far away does"},
-              {.name = "side",
-               .type = NumberParameter{.default_value = 0.0,
-                                       .range = {.minimum = -1.0, .maximum = 1.0}},
-               .meaning = "which eye: -1 is the left one, 1 the right one, 0 the middle"},
-              {.name = "baseline",
-               .type = ChoiceParameter{{"auto", "fixed", "picture", "level"}},
-               .meaning = "fixed: two cameras side by side; picture: across each ray, to the right "
-                          "in the picture; level: across each ray, horizontal; auto: fixed if all "
-                          "rays start at one point within 75 degrees of the middle one, else "
-                          "picture"},
+              number_parameter("side", 0.0,
+                               "which eye: -1 is the left one, 1 the right one, 0 the middle",
+                               {.minimum = -1.0, .maximum = 1.0}),
+              choice_parameter(
+                  "baseline", {"auto", "fixed", "picture", "level"},
+                  "fixed: two cameras side by side; picture: across each ray, to the right "
+                  "in the picture; level: across each ray, horizontal; auto: fixed if all "
+                  "rays start at one point within 75 degrees of the middle one, else "
+                  "picture"),
               {.name = "merge",
                .type = PairParameter{.unit = Unit::angle,
                                      .range = {.minimum = 0.0, .maximum = 0.5 * std::numbers::pi}},

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "camera/catalogue/families.hpp"
+#include "camera/catalogue/stage_parameters.hpp"
 
 namespace balcony::camera {
 
@@ -77,7 +78,7 @@ private:
     Scalar rotation_;
 };
 
-Result<std::shared_ptr<const Stage>> make_thin_lens(const Arguments& a) {
+StageResult make_thin_lens(const Arguments& a) {
     const std::size_t blades = a.count("blades");
     const auto focus = a.stage<FocusSurface>("focus");
     if (blades == 0) {
@@ -95,8 +96,7 @@ Result<std::shared_ptr<const Stage>> make_thin_lens(const Arguments& a) {
 
 std::vector<StageEntry> lenses() {
     return {
-        {.kind = StageKind::lens,
-         .name = "lens",
+        {.name = "lens",
          .meaning =
              "an aperture across each ray, around its origin: what is not in focus is blurred",
          .formula = R"(
@@ -116,11 +116,10 @@ all rays of a picture point meet in o + s d
               {.name = "focus",
                .type = NestedStageParameter{.kind = StageKind::focus, .of_number = "distance"},
                .meaning = "what is sharp: a distance along the rays, or a surface of focus"},
-              {.name = "rotation",
-               .type = NumberParameter{.unit = Unit::angle, .default_value = 0.0},
-               .meaning =
-                   "of the polygon, counter-clockwise as the picture shows it; at 0 a corner "
-                   "is at the top"}},
+              angle_parameter(
+                  "rotation", 0.0,
+                  "of the polygon, counter-clockwise as the picture shows it; at 0 a corner "
+                  "is at the top")},
          .make = make_thin_lens,
          .example = R"(
 // The painting behind is out of focus, blurred to hexagons.

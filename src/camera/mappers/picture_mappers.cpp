@@ -69,10 +69,8 @@ StageParameter edge(std::string_view name, std::string_view meaning) {
 }  // namespace
 
 std::vector<StageEntry> picture_mappers() {
-    const StageKind kind = StageKind::picture_mapper;
     return {
-        {.kind = kind,
-         .name = "range",
+        {.name = "range",
          .meaning = "maps the picture to a rectangle of parameter space: u = a .. b, v = c .. d",
          .formula = R"(
 u = u_first + (u_last − u_first) x/W
@@ -83,11 +81,7 @@ v = v_last + (v_first − v_last) y/H
                         edge("u_last", "u at the right edge"),
                         edge("v_first", "v at the bottom edge"),
                         edge("v_last", "v at the top edge")},
-         .make =
-             [](const Arguments& a) {
-                 return made<RangeMapper>(a.number("u_first"), a.number("u_last"),
-                                          a.number("v_first"), a.number("v_last"));
-             },
+         .make = maker<RangeMapper>("u_first", "u_last", "v_first", "v_last"),
          .example = R"(
 // All longitudes and the latitudes between the polar circles.
 camera temperate {
@@ -96,8 +90,7 @@ camera temperate {
     toward sphere(1)
 }
 )"},
-        {.kind = kind,
-         .name = "square_v",
+        {.name = "square_v",
          .meaning = "u = a .. b, v = square: v is 0 in the middle and increases upwards, with u's "
                     "units per pixel",
          .formula = R"(
@@ -120,8 +113,7 @@ camera wide {
     toward sphere(1)
 }
 )"},
-        {.kind = kind,
-         .name = "square_u",
+        {.name = "square_u",
          .meaning = "u = square, v = a .. b: u is 0 in the middle and increases to the right, with "
                     "v's units per pixel",
          .formula = R"(

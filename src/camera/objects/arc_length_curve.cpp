@@ -40,7 +40,7 @@ private:
     bool closed_;
 };
 
-Result<std::shared_ptr<const Stage>> make_arc_length(const Arguments& a) {
+StageResult make_arc_length(const Arguments& a) {
     const ObjectGeneratorPointer curve = a.curve("curve");
     const double from = a.constant("from");
     const double to = a.constant("to");
@@ -96,8 +96,7 @@ Result<std::shared_ptr<const Stage>> make_arc_length(const Arguments& a) {
 
 std::vector<StageEntry> arc_length_curve() {
     return {
-        {.kind = StageKind::object_generator,
-         .name = "arc_length",
+        {.name = "arc_length",
          .meaning =
              "any curve by arc length, for u from 0 to 1: equal steps of u have equal lengths",
          .formula = R"(
@@ -117,7 +116,6 @@ p = c(w)      c = curve,   0 ≤ u ≤ 1
                           "periodic"}},
          .make = make_arc_length,
          .dimension = 1,
-         .section = "General curves",
          .example =
              R"(// Along a long ellipse at constant speed, so that nothing is stretched at its ends.
 camera even_ellipse {

@@ -121,7 +121,7 @@ private:
     Parameter parameter_;
 };
 
-Result<std::shared_ptr<const Stage>> make_ellipse(const Arguments& arguments) {
+StageResult make_ellipse(const Arguments& arguments) {
     const Scalar a = arguments.number("a");
     const Scalar b = arguments.number("b");
     const std::string& by = arguments.choice("by");
@@ -138,7 +138,7 @@ Result<std::shared_ptr<const Stage>> make_ellipse(const Arguments& arguments) {
     return made<FocalEllipse>(a, b);
 }
 
-Result<std::shared_ptr<const Stage>> make_hyperbola(const Arguments& arguments) {
+StageResult make_hyperbola(const Arguments& arguments) {
     const Scalar a = arguments.number("a");
     const Scalar b = arguments.number("b");
     const std::string& by = arguments.choice("by");
@@ -152,8 +152,7 @@ Result<std::shared_ptr<const Stage>> make_hyperbola(const Arguments& arguments) 
 }
 
 StageParameter parametrisation(std::vector<std::string_view> choices, std::string_view meaning) {
-    return {
-        .name = "by", .type = ChoiceParameter{.choices = std::move(choices)}, .meaning = meaning};
+    return choice_parameter("by", std::move(choices), meaning);
 }
 
 std::vector<StageParameter> half_axes(StageParameter by) {
@@ -164,10 +163,8 @@ std::vector<StageParameter> half_axes(StageParameter by) {
 }  // namespace
 
 std::vector<StageEntry> conics() {
-    const StageKind kind = StageKind::object_generator;
     return {
-        {.kind = kind,
-         .name = "ellipse",
+        {.name = "ellipse",
          .meaning = "x^2/a^2 + y^2/b^2 = 1, as a curve in u",
          .formula = R"(
 trigonometric   p = (a cos u, b sin u)
@@ -185,7 +182,6 @@ focal           p = (c + r cos u, r sin u)
                              "0, the true anomaly (requires a >= b)")),
          .make = make_ellipse,
          .dimension = 1,
-         .section = "Conics and superconics",
          .example = R"(
 // Once around an oval table: all people at the same scale, because the eye moves by arc length.
 camera oval_table(a = 3, b = 1) {
@@ -195,8 +191,7 @@ camera oval_table(a = 3, b = 1) {
     toward product(ellipse(1, (b + 1)/(a + 1), by = arc_length), curve(v) = [a + 1, v])
 }
 )"},
-        {.kind = kind,
-         .name = "hyperbola",
+        {.name = "hyperbola",
          .meaning = "the branch x > 0 of x^2/a^2 - y^2/b^2 = 1, as a curve in u",
          .formula = R"(
 hyperbolic      p = (a cosh u, b sinh u)
@@ -215,7 +210,6 @@ focal           p = (c − r cos u, r sin u)
              "focus, 0 towards the vertex")),
          .make = make_hyperbola,
          .dimension = 1,
-         .section = "Conics and superconics",
          .example = R"(
 // The hyperbolic cylinder: sees both walls of a corner at right angles and bends in between.
 camera both_walls {
@@ -225,8 +219,7 @@ camera both_walls {
     move rotate(z, 180deg)
 }
 )"},
-        {.kind = kind,
-         .name = "parabola",
+        {.name = "parabola",
          .meaning = "y^2 = 4 focus x, as a curve in u",
          .formula = R"(
 cartesian   p = (u²/(4 focus), u)
@@ -248,7 +241,6 @@ focal       p = (focus − r cos u, r sin u),   r = 2 focus/(1 + cos u)
                                                       : made<FocalParabola>(a.number("focus"));
              },
          .dimension = 1,
-         .section = "Conics and superconics",
          .example = R"(
 // From a comet's orbit, always towards the sun in its focus, and slightly above and below it.
 camera comet(focus = 2) {
@@ -257,8 +249,7 @@ camera comet(focus = 2) {
     toward surface(u, v) = [focus, 0, v]
 }
 )"},
-        {.kind = kind,
-         .name = "superparabola",
+        {.name = "superparabola",
          .meaning = "x/a = |y/b|^e with e = 2/gamma, as a curve in u",
          .formula = R"(
 cartesian   p = (a |u|^e, b u)      e = 2/gamma
@@ -279,7 +270,6 @@ root        p = (a u², b sign(u) |u|^gamma)
                                             a.choice("by") == "cartesian" ? height : root);
              },
          .dimension = 1,
-         .section = "Conics and superconics",
          .example = R"(
 // A shop window that is flat in the middle and curves at both sides.
 camera bow_window(gamma = 1/2) {

@@ -63,25 +63,21 @@ private:
 };
 
 StageParameter end_angle(std::string_view name, double value, std::string_view meaning) {
-    return {.name = name,
-            .type = NumberParameter{.unit = Unit::angle, .default_value = value},
-            .meaning = meaning};
+    return angle_parameter(name, value, meaning);
 }
 
 }  // namespace
 
 std::vector<StageEntry> curve_primitives() {
-    const StageKind kind = StageKind::object_generator;
     return {
-        {.kind = kind,
-         .name = "segment",
+        {.name = "segment",
          .meaning = "the line segment between two points, u from 0 to 1",
          .formula = R"(
 p = from + u (to − from)      0 ≤ u ≤ 1
 )",
          .parameters = {triple_parameter("from", {0.0, 0.0, 0.0}, "the point at u = 0"),
                         triple_parameter("to", {1.0, 0.0, 0.0}, "the point at u = 1")},
-         .make = [](const Arguments& a) { return made<Segment>(a.triple("from"), a.triple("to")); },
+         .make = maker<Segment>("from", "to"),
          .dimension = 1,
          .example = R"(
 // The side of a street from a car that drives along it: perspective only in the vertical direction.
@@ -91,8 +87,7 @@ camera street(length = 12) {
     toward surface(u, v) = [3, length*(1/2 - u), 3*v]
 }
 )"},
-        {.kind = kind,
-         .name = "arc",
+        {.name = "arc",
          .meaning = "a circular arc around the z axis, u from 0 to 1",
          .formula = R"(
 p = (radius cos φ, radius sin φ, 0)      φ = from + u (to − from),   0 ≤ u ≤ 1
@@ -100,10 +95,7 @@ p = (radius cos φ, radius sin φ, 0)      φ = from + u (to − from),   0 ≤ 
          .parameters = {positive_parameter("radius", 1.0, "the radius"),
                         end_angle("from", 0.0, "the angle where u is 0"),
                         end_angle("to", 0.5 * std::numbers::pi, "the angle where u is 1")},
-         .make =
-             [](const Arguments& a) {
-                 return made<Arc>(a.number("radius"), a.number("from"), a.number("to"));
-             },
+         .make = maker<Arc>("radius", "from", "to"),
          .dimension = 1,
          .example = R"(
 // Walks a third of a turn around an object, from left to right, and always looks at the centre.
@@ -113,16 +105,14 @@ camera walk(radius = 4) {
     toward surface(u, v) = [0, 0, v]
 }
 )"},
-        {.kind = kind,
-         .name = "helix",
+        {.name = "helix",
          .meaning = "a helix around the z axis, by angle",
          .formula = R"(
 p = (radius cos u, radius sin u, pitch u/2π)
 )",
          .parameters = {positive_parameter("radius", 1.0, "distance from the axis"),
                         number_parameter("pitch", 1.0, "rise per turn")},
-         .make =
-             [](const Arguments& a) { return made<Helix>(a.number("radius"), a.number("pitch")); },
+         .make = maker<Helix>("radius", "pitch"),
          .dimension = 1,
          .example = R"(
 // Climbs around a tower in two turns and unrolls its wall.

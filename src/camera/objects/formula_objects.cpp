@@ -40,10 +40,8 @@ private:
 }  // namespace
 
 std::vector<StageEntry> formula_objects() {
-    const StageKind kind = StageKind::object_generator;
     return {
-        {.kind = kind,
-         .name = "curve",
+        {.name = "curve",
          .meaning = "a curve from a formula: curve(u) = [x, y] or [x, y, z]",
          .formula = R"(
 p = (x, y, z)      z = 0 if there are two results
@@ -51,7 +49,6 @@ p = (x, y, z)      z = 0 if there are two results
          .make = [](const Arguments& a) { return made<FormulaCurve>(a.formula()); },
          .shape = FormulaShape{1, 2, 3},
          .dimension = 1,
-         .section = "Objects from formulas",
          .example = R"(
 // The right side of a winding path through a valley, seen at right angles to the path.
 camera valley_walk {
@@ -60,8 +57,7 @@ camera valley_walk {
     toward surface(u, v) = [u + cos(u), sin(u) - 1, 0.2*u^2 + v]
 }
 )"},
-        {.kind = kind,
-         .name = "surface",
+        {.name = "surface",
          .meaning = "a surface from a formula: surface(u, v) = [x, y, z]",
          .formula = R"(
 p = (x, y, z)
@@ -69,7 +65,6 @@ p = (x, y, z)
          .make = [](const Arguments& a) { return made<FormulaSurface>(a.formula()); },
          .shape = FormulaShape{2, 3, 3},
          .dimension = 2,
-         .section = "Objects from formulas",
          .example = R"(
 // A curved wall: its normals face both sides of a room's corner and spread between them.
 camera bulge {

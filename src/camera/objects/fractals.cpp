@@ -70,18 +70,15 @@ std::vector<StageParameter> height_field_parameters() {
     return {
         number_parameter("height", 0.1, "standard deviation of the heights"),
         positive_parameter("scale", 1.0, "size of the largest features"),
-        {.name = "hurst",
-         .type = NumberParameter{.default_value = 0.8, .range = {.minimum = 0.0, .maximum = 1.0}},
-         .meaning = "Hurst exponent: 1 is smooth hills, 1/2 is rough rock; heights at a "
-                    "distance d differ by about d^hurst"},
+        number_parameter("hurst", 0.8,
+                         "Hurst exponent: 1 is smooth hills, 1/2 is rough rock; heights at a "
+                         "distance d differ by about d^hurst",
+                         {.minimum = 0.0, .maximum = 1.0}),
         {.name = "octaves",
          .type = CountParameter{.default_value = 8.0, .range = {.minimum = 1.0, .maximum = 16.0}},
          .meaning = "number of octaves, each finer by the lacunarity"},
-        {.name = "lacunarity",
-         .type =
-             NumberParameter{.default_value = 2.0,
-                             .range = {.minimum = 1.0, .maximum = 8.0, .excludes_minimum = true}},
-         .meaning = "frequency ratio between successive octaves"},
+        number_parameter("lacunarity", 2.0, "frequency ratio between successive octaves",
+                         {.minimum = 1.0, .maximum = 8.0, .excludes_minimum = true}),
         {.name = "seed",
          .type = CountParameter{.default_value = 1.0, .range = {.minimum = 0.0, .maximum = 1e6}},
          .meaning = "random seed: the same seed gives the same surface on every machine"}};
@@ -90,13 +87,11 @@ std::vector<StageParameter> height_field_parameters() {
 }  // namespace
 
 std::vector<StageEntry> fractals() {
-    const StageKind kind = StageKind::object_generator;
     std::vector<StageParameter> sphere_parameters = height_field_parameters();
     sphere_parameters.insert(sphere_parameters.begin(),
                              positive_parameter("radius", 1.0, "radius at height 0"));
     return {
-        {.kind = kind,
-         .name = "fractal_plane",
+        {.name = "fractal_plane",
          .meaning =
              "a fractal landscape, z = height over (x, y) = (u, v), by fractional Brownian motion",
          .formula = R"(
@@ -110,7 +105,6 @@ Rᵢ, oᵢ   a random rotation and a random offset for each octave
          .parameters = height_field_parameters(),
          .make = [](const Arguments& a) { return made<FractalPlane>(HeightField(a)); },
          .dimension = 2,
-         .section = "Fractal objects",
          .example = R"(
 // A view through frosted glass: every point of the pane, an upright landscape, looks elsewhere.
 camera frosted_glass {
@@ -120,8 +114,7 @@ camera frosted_glass {
     move rotate(z, 90deg), rotate(y, 90deg)
 }
 )"},
-        {.kind = kind,
-         .name = "fractal_sphere",
+        {.name = "fractal_sphere",
          .meaning = "a fractal planet by longitude u and latitude v, heights by fractional "
                     "Brownian motion",
          .formula = R"(
@@ -138,7 +131,6 @@ Rᵢ, oᵢ   a random rotation and a random offset for each octave
                  return made<FractalSphere>(a.number("radius"), HeightField(a));
              },
          .dimension = 2,
-         .section = "Fractal objects",
          .example = R"(
 // A full panorama from a boulder: every facet looks in another direction.
 camera boulder {

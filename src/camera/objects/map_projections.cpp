@@ -48,7 +48,7 @@ constexpr std::array proj_angles{"lon_0",  "lat_0", "lat_1", "lat_2",
                                  "lat_ts", "alpha", "tilt",  "azi"};
 constexpr std::array proj_numbers{"h", "n", "m"};
 
-Result<std::shared_ptr<const Stage>> make_map_projection(const Arguments& a) {
+StageResult make_map_projection(const Arguments& a) {
     Result<maps::Definition> definition = maps::read_definition(a.given_name("definition"));
     if (!definition) {
         return std::move(definition.diagnostics);
@@ -84,8 +84,7 @@ StageParameter parameter_of_proj(std::string_view name, Unit unit, std::string_v
 
 std::vector<StageEntry> map_projections() {
     return {
-        {.kind = StageKind::object_generator,
-         .name = "projection",
+        {.name = "projection",
          .meaning = "the sphere of directions, or any sphere, by one of PROJ's map projections; no "
                     "map is needed",
          .formula = R"(
@@ -105,11 +104,11 @@ forward function;  no ray beyond the outline of the map
                   "the radius of the sphere of its points: 0 for a panorama, whose rays "
                   "are its normals; 1 for a direction object; that of a sphere around "
                   "an object to map"),
-              {.name = "seen_from",
-               .type = ChoiceParameter{.choices = {"inside", "outside"}},
-               .meaning = "which way the picture shows the map where there is no map statement: "
-                          "inside is a panorama, with east on the left; outside is a map, with "
-                          "east on the right, for look normal(inward)"},
+              choice_parameter(
+                  "seen_from", {"inside", "outside"},
+                  "which way the picture shows the map where there is no map statement: "
+                  "inside is a panorama, with east on the left; outside is a map, with "
+                  "east on the right, for look normal(inward)"),
               parameter_of_proj("lon_0", Unit::angle, "the longitude in the middle of the map"),
               parameter_of_proj("lat_0", Unit::angle, "the latitude of the map's origin"),
               parameter_of_proj("lat_1", Unit::angle, "the first standard parallel"),
@@ -125,7 +124,6 @@ forward function;  no ray beyond the outline of the map
               parameter_of_proj("m", Unit::number, "of projections with this parameter")},
          .make = make_map_projection,
          .dimension = 2,
-         .section = "Map projections",
          .example = R"(
 // Everything around the viewer but zenith and nadir, with true angles: Mercator's projection.
 camera mercator {

@@ -343,7 +343,7 @@ bool usable(const Triangle& triangle) {
            Barycentric(triangle).finite();
 }
 
-Result<std::shared_ptr<const Stage>> make_mesh(const Arguments& a) {
+StageResult make_mesh(const Arguments& a) {
     std::vector<Triangle> triangles;
     const auto& all = a.mesh("file")->triangles;
     std::copy_if(all.begin(), all.end(), std::back_inserter(triangles), usable);
@@ -359,8 +359,7 @@ Result<std::shared_ptr<const Stage>> make_mesh(const Arguments& a) {
 
 std::vector<StageEntry> mesh_surface() {
     return {
-        {.kind = StageKind::object_generator,
-         .name = "mesh",
+        {.name = "mesh",
          .meaning = "the surface of a triangle mesh from a file, by its texture coordinates",
          .formula = R"(
 p = b₁P₁ + b₂P₂ + b₃P₃
@@ -373,13 +372,11 @@ no ray outside all triangles
                          .type = MeshParameter{},
                          .meaning =
                              "mesh file with texture coordinates; (0, 0) is the bottom left"},
-                        {.name = "normals",
-                         .type = ChoiceParameter{.choices = {"smooth", "flat"}},
-                         .meaning =
-                             "normals interpolated from the vertices, or those of the faces"}},
+                        choice_parameter(
+                            "normals", {"smooth", "flat"},
+                            "normals interpolated from the vertices, or those of the faces")},
          .make = make_mesh,
          .dimension = 2,
-         .section = "Free-form surfaces",
          .example = R"(
 // An unrolled vase: every ray starts on it and follows its normal.
 camera unrolled_vase {

@@ -74,7 +74,7 @@ private:
     Scalar radius_;
 };
 
-Result<std::shared_ptr<const Stage>> make_spherical_mirror(const Arguments& a) {
+StageResult make_spherical_mirror(const Arguments& a) {
     const std::optional<double> radius = a.number("radius").constant();
     const std::optional<double> distance = a.number("distance").constant();
     if (radius && distance && *distance <= *radius) {
@@ -87,11 +87,8 @@ Result<std::shared_ptr<const Stage>> make_spherical_mirror(const Arguments& a) {
 }  // namespace
 
 std::vector<StageEntry> mirrors() {
-    const StageKind kind = StageKind::object_generator;
-    constexpr std::string_view section = "Mirrors";
     return {
-        {.kind = kind,
-         .name = "hyperbolic_mirror",
+        {.name = "hyperbolic_mirror",
          .meaning = "a hyperbolic mirror, by the image of a pinhole camera in its outer focus: all "
                     "rays reflected in it have the inner focus as their viewpoint",
          .formula = R"(
@@ -102,12 +99,8 @@ no point where e ≤ a √(1 + u² + v²)
 )",
          .parameters = {positive_parameter("a", 0.6, "the half axis along x"),
                         positive_parameter("b", 0.8, "the half axis across x")},
-         .make =
-             [](const Arguments& a) {
-                 return made<HyperbolicMirror>(a.number("a"), a.number("b"));
-             },
+         .make = maker<HyperbolicMirror>("a", "b"),
          .dimension = 2,
-         .section = section,
          .example = R"(
 // A camera below a mirror, which looks up at it and sees all around.
 camera look_around {
@@ -119,8 +112,7 @@ camera look_around {
     move   scale(0.1), rotate(y, -90deg)
 }
 )"},
-        {.kind = kind,
-         .name = "spherical_mirror",
+        {.name = "spherical_mirror",
          .meaning = "a spherical mirror, by the image of a pinhole camera in the origin",
          .formula = R"(
 p = x (1, u, v),   x = (l − √(r² (1 + q) − l² q))/(1 + q),   q = u² + v²
@@ -131,7 +123,6 @@ no point where l² q ≥ r² (1 + q): the ray misses the mirror
                         positive_parameter("distance", 1.5, "from the camera to its centre")},
          .make = make_spherical_mirror,
          .dimension = 2,
-         .section = section,
          .example = R"(
 // The photographer's view into a glass ball, which shows the room behind the photographer.
 camera glass_ball {
@@ -142,8 +133,7 @@ camera glass_ball {
     look   reflect
 }
 )"},
-        {.kind = kind,
-         .name = "parabolic_mirror",
+        {.name = "parabolic_mirror",
          .meaning = "a parabolic mirror, by the image of an orthographic camera: all rays "
                     "reflected in it have the focus, the origin, as their viewpoint",
          .formula = R"(
@@ -152,9 +142,8 @@ x = |p| − h: the paraboloid of revolution with the focus (0, 0, 0)
 )",
          .parameters = {positive_parameter("radius", 1.0,
                                            "where the rays leave at right angles to the axis")},
-         .make = [](const Arguments& a) { return made<ParabolicMirror>(a.number("radius")); },
+         .make = maker<ParabolicMirror>("radius"),
          .dimension = 2,
-         .section = section,
          .example = R"(
 // Parallel rays come from a plane below the mirror, through the same u and v.
 camera paracatadioptric {

@@ -46,8 +46,7 @@ private:
 
 std::vector<StageEntry> panini() {
     return {
-        {.kind = StageKind::object_generator,
-         .name = "panini",
+        {.name = "panini",
          .meaning = "a sphere by the general Panini projection, which keeps vertical and radial "
                     "lines straight in wide views; u = v = 0 is on the x axis",
          .formula = R"(
@@ -56,20 +55,17 @@ u = S sin φ,   v = tan θ ((1 − s) S + s/cos φ),   S = (d + 1)/(d + cos φ)
 no point where these have no inverse: d + cos φ ≤ 0, 1 + d cos φ < 0
 )",
          .parameters = {positive_parameter("radius", 1.0, "the radius"),
-                        {.name = "d",
-                         .type = NumberParameter{.default_value = 1.0, .range = {.minimum = 0.0}},
-                         .meaning = "the compression of the width: 0 is perspective, 1 the "
-                                    "painters' projection, and a large one nearly orthographic"},
-                        {.name = "s",
-                         .type = NumberParameter{.default_value = 0.0,
-                                                 .range = {.minimum = 0.0, .maximum = 1.0}},
-                         .meaning =
-                             "the compression of the height at the sides: 1 keeps horizontal "
-                             "lines straight, too, for views of less than 180 degrees"}},
-         .make =
-             [](const Arguments& a) {
-                 return made<Panini>(a.number("radius"), a.number("d"), a.number("s"));
-             },
+                        number_parameter(
+                            "d", 1.0,
+                            "the compression of the width: 0 is perspective, 1 the "
+                            "painters' projection, and a large one nearly orthographic",
+                            {.minimum = 0.0}),
+                        number_parameter(
+                            "s", 0.0,
+                            "the compression of the height at the sides: 1 keeps horizontal "
+                            "lines straight, too, for views of less than 180 degrees",
+                            {.minimum = 0.0, .maximum = 1.0})},
+         .make = maker<Panini>("radius", "d", "s"),
          .dimension = 2,
          .example = R"(
 // 150 degrees in width, without the stretched sides of a perspective view.

@@ -113,10 +113,8 @@ StageParameter radius() { return positive_parameter("radius", 1.0, "the radius")
 }  // namespace
 
 std::vector<StageEntry> primitives() {
-    const StageKind kind = StageKind::object_generator;
     return {
-        {.kind = kind,
-         .name = "point",
+        {.name = "point",
          .meaning = "a single point",
          .formula = R"(
 p = (x, y, z)
@@ -132,15 +130,14 @@ camera all_round {
     toward sphere(1)
 }
 )"},
-        {.kind = kind,
-         .name = "line",
+        {.name = "line",
          .meaning = "at + u along",
          .formula = R"(
 p = at + u along
 )",
          .parameters = {triple_parameter("at", {0.0, 0.0, 0.0}, "the point at u = 0"),
                         triple_parameter("along", {1.0, 0.0, 0.0}, "the vector for one unit of u")},
-         .make = [](const Arguments& a) { return made<Line>(a.triple("at"), a.triple("along")); },
+         .make = maker<Line>("at", "along"),
          .dimension = 1,
          .example = R"(
 // From a train window: the eye moves along a line, and only the vertical direction has perspective.
@@ -150,14 +147,13 @@ camera train_window {
     toward plane((1, 0, 0), along_u = (0, -1, 0))
 }
 )"},
-        {.kind = kind,
-         .name = "circle",
+        {.name = "circle",
          .meaning = "a circle around the z axis in the plane z = 0, by angle",
          .formula = R"(
 p = (radius cos u, radius sin u, 0)
 )",
          .parameters = {radius()},
-         .make = [](const Arguments& a) { return made<Circle>(a.number("radius")); },
+         .make = maker<Circle>("radius"),
          .dimension = 1,
          .example = R"(
 // Rays start on a circle and pass through a torus around it.
@@ -167,8 +163,7 @@ camera flight(R = 10, r = 2) {
     toward torus(R, r)
 }
 )"},
-        {.kind = kind,
-         .name = "plane",
+        {.name = "plane",
          .meaning = "at + u along_u + v along_v",
          .formula = R"(
 p = at + u along_u + v along_v
@@ -178,10 +173,7 @@ p = at + u along_u + v along_v
                                          "the vector for one unit of u"),
                         triple_parameter("along_v", {0.0, 0.0, 1.0},
                                          "the vector for one unit of v")},
-         .make =
-             [](const Arguments& a) {
-                 return made<Plane>(a.triple("at"), a.triple("along_u"), a.triple("along_v"));
-             },
+         .make = maker<Plane>("at", "along_u", "along_v"),
          .dimension = 2,
          .example = R"(
 // Parallel rays from a plane: no perspective.
@@ -191,14 +183,13 @@ camera flat {
     look normal
 }
 )"},
-        {.kind = kind,
-         .name = "cylinder",
+        {.name = "cylinder",
          .meaning = "a cylinder around the z axis, by angle u and height v",
          .formula = R"(
 p = (radius cos u, radius sin u, v)
 )",
          .parameters = {radius()},
-         .make = [](const Arguments& a) { return made<Cylinder>(a.number("radius")); },
+         .make = maker<Cylinder>("radius"),
          .dimension = 2,
          .example = R"(
 // Unrolls a vase inside the cylinder.
@@ -208,8 +199,7 @@ camera unrolled_vase {
     look normal(side = back)
 }
 )"},
-        {.kind = kind,
-         .name = "torus",
+        {.name = "torus",
          .meaning =
              "a torus around the z axis, by the angles u around the axis and v around the tube",
          .formula = R"(
@@ -218,8 +208,7 @@ p = (r cos u, r sin u, minor sin v)      r = major + minor cos v
          .parameters = {positive_parameter("major", 1.0,
                                            "distance from the axis to the centre of the tube"),
                         positive_parameter("minor", 1.0, "radius of the tube")},
-         .make =
-             [](const Arguments& a) { return made<Torus>(a.number("major"), a.number("minor")); },
+         .make = maker<Torus>("major", "minor"),
          .dimension = 2,
          .example = R"(
 // The outer half of a torus: all round and beyond the zenith and the nadir.

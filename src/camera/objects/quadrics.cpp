@@ -13,9 +13,7 @@ namespace balcony::camera {
 namespace {
 
 using Curve = Result<ObjectGeneratorPointer>;
-using Made = Result<std::shared_ptr<const Stage>>;
-
-Made product(const Curve& g, const Curve& h) {
+StageResult product(const Curve& g, const Curve& h) {
     if (!g) {
         return g.diagnostics;
     }
@@ -65,25 +63,25 @@ Shape shape_of(const Arguments& arguments) {
             gamma("gamma_v"),      choice("by_u"),        choice("by_v")};
 }
 
-Made make_ellipsoid(const Arguments& arguments) {
+StageResult make_ellipsoid(const Arguments& arguments) {
     const Shape s = shape_of(arguments);
     return product(superellipse(1.0, quotient(s.b, s.a), s.gamma_u, s.by_u),
                    superellipse(s.a, s.c, s.gamma_v, s.by_v));
 }
 
-Made make_hyperboloid_one(const Arguments& arguments) {
+StageResult make_hyperboloid_one(const Arguments& arguments) {
     const Shape s = shape_of(arguments);
     return product(superellipse(1.0, quotient(s.b, s.a), s.gamma_u, s.by_u),
                    superhyperbola(s.a, s.c, s.gamma_v, s.by_v));
 }
 
-Made make_hyperboloid_two(const Arguments& arguments) {
+StageResult make_hyperboloid_two(const Arguments& arguments) {
     const Shape s = shape_of(arguments);
     return product(superhyperbola(1.0, quotient(s.b, s.a), s.gamma_u, s.by_u),
                    superhyperbola(s.a, s.c, s.gamma_v, s.by_v));
 }
 
-Made make_toroid(const Arguments& arguments) {
+StageResult make_toroid(const Arguments& arguments) {
     const Shape s = shape_of(arguments);
     const Curve tube = superellipse(arguments.number("tube"), s.c, s.gamma_v, s.by_v);
     if (!tube) {
@@ -119,8 +117,7 @@ Parameters gammas() {
 
 StageParameter parametrisation(std::string_view name, std::vector<std::string_view> choices,
                                std::string_view meaning) {
-    return {
-        .name = name, .type = ChoiceParameter{.choices = std::move(choices)}, .meaning = meaning};
+    return choice_parameter(name, std::move(choices), meaning);
 }
 
 Parameters by_ellipses() {
@@ -147,10 +144,8 @@ Parameters by_ellipse_and_hyperbola() {
 }  // namespace
 
 std::vector<StageEntry> quadrics() {
-    const StageKind kind = StageKind::object_generator;
     return {
-        {.kind = kind,
-         .name = "ellipsoid",
+        {.name = "ellipsoid",
          .meaning =
              "x^2/a^2 + y^2/b^2 + z^2/c^2 = 1, u around the z axis and v upwards from the equator",
          .formula = R"(
@@ -161,7 +156,6 @@ trigonometric   p = (a cos u cos v, b sin u cos v, c sin v)
          .parameters = half_axes() + by_ellipses_of_quadrics(),
          .make = make_ellipsoid,
          .dimension = 2,
-         .section = "Quadrics and superquadrics",
          .example = R"(
 // All round from a flattened dome: the ground and the sky in one picture.
 camera dome {
@@ -170,8 +164,7 @@ camera dome {
     look normal
 }
 )"},
-        {.kind = kind,
-         .name = "superellipsoid",
+        {.name = "superellipsoid",
          .meaning = "product of two superellipses, (|x/a|^e + |y/b|^e)^(f/e) + |z/c|^f = 1 with e "
                     "= 2/gamma_u and f = 2/gamma_v",
          .formula = R"(
@@ -181,7 +174,6 @@ g = superellipse(1, b/a, gamma_u, by),   h = superellipse(a, c, gamma_v, by)
          .parameters = half_axes() + gammas() + by_ellipses(),
          .make = make_ellipsoid,
          .dimension = 2,
-         .section = "Quadrics and superquadrics",
          .example = R"(
 // Nearly a box: each side sees a wall of the surrounding room at right angles.
 camera long_room {
@@ -191,8 +183,7 @@ camera long_room {
     look normal
 }
 )"},
-        {.kind = kind,
-         .name = "hyperboloid_one",
+        {.name = "hyperboloid_one",
          .meaning = "the hyperboloid of one sheet, x^2/a^2 + y^2/b^2 - z^2/c^2 = 1, u around the z "
                     "axis and v along it",
          .formula = R"(
@@ -208,7 +199,6 @@ cartesian   p = (a √(1 + v²) cos u, b √(1 + v²) sin u, c v)
                  return make_hyperboloid_one(both);
              },
          .dimension = 2,
-         .section = "Quadrics and superquadrics",
          .example = R"(
 // From the waist of a cooling tower: downwards at its top, upwards at its base.
 camera cooling_tower {
@@ -217,8 +207,7 @@ camera cooling_tower {
     look normal
 }
 )"},
-        {.kind = kind,
-         .name = "superhyperboloid_one",
+        {.name = "superhyperboloid_one",
          .meaning = "product of a superellipse and a superhyperbola, (|x/a|^e + |y/b|^e)^(f/e) - "
                     "|z/c|^f = 1 with e = 2/gamma_u and f = 2/gamma_v",
          .formula = R"(
@@ -229,7 +218,6 @@ h = superhyperbola(a, c, gamma_v, by_v)
          .parameters = half_axes() + gammas() + by_ellipse_and_hyperbola(),
          .make = make_hyperboloid_one,
          .dimension = 2,
-         .section = "Quadrics and superquadrics",
          .example = R"(
 // A square tower with a waist: four walls side by side, with a larger view above and below.
 camera square_tower {
@@ -238,8 +226,7 @@ camera square_tower {
     look normal
 }
 )"},
-        {.kind = kind,
-         .name = "hyperboloid_two",
+        {.name = "hyperboloid_two",
          .meaning =
              "the sheet x > 0 of the hyperboloid of two sheets, x^2/a^2 - y^2/b^2 - z^2/c^2 = 1",
          .formula = R"(
@@ -250,7 +237,6 @@ hyperbolic   p = (a cosh u cosh v, b sinh u cosh v, c sinh v)
          .parameters = half_axes() + by_hyperbolas("by"),
          .make = make_hyperboloid_two,
          .dimension = 2,
-         .section = "Quadrics and superquadrics",
          .example = R"(
 // The view in a convex mirror: wide, and undistorted in the middle.
 camera wide_view {
@@ -260,8 +246,7 @@ camera wide_view {
     move rotate(z, 180deg)
 }
 )"},
-        {.kind = kind,
-         .name = "superhyperboloid_two",
+        {.name = "superhyperboloid_two",
          .meaning = "product of two superhyperbolas, one sheet: (|x/a|^e - |y/b|^e)^(f/e) - "
                     "|z/c|^f = 1 with e = 2/gamma_u and f = 2/gamma_v",
          .formula = R"(
@@ -272,7 +257,6 @@ h = superhyperbola(a, c, gamma_v, by)
          .parameters = half_axes() + gammas() + by_hyperbolas("by"),
          .make = make_hyperboloid_two,
          .dimension = 2,
-         .section = "Quadrics and superquadrics",
          .example = R"(
 // Enlarges the middle of a wall and keeps its borders in the picture.
 camera wall_of_pictures {
@@ -282,8 +266,7 @@ camera wall_of_pictures {
     move rotate(z, 180deg)
 }
 )"},
-        {.kind = kind,
-         .name = "toroid",
+        {.name = "toroid",
          .meaning = "a torus whose centre line and tube are ellipses, u around the z axis and v "
                     "around the tube",
          .formula = R"(
@@ -294,7 +277,6 @@ trigonometric   p = (r cos u, (b/a) r sin u, c sin v),   r = a + tube cos v
          .parameters = torus_measures() + by_ellipses_of_quadrics(),
          .make = make_toroid,
          .dimension = 2,
-         .section = "Quadrics and superquadrics",
          .example = R"(
 // All sides of an oval tube: outwards in the middle of the picture, towards the hole at its edges.
 camera oval_ring {
@@ -303,8 +285,7 @@ camera oval_ring {
     look normal
 }
 )"},
-        {.kind = kind,
-         .name = "supertoroid",
+        {.name = "supertoroid",
          .meaning = "a torus whose centre line and tube are superellipses",
          .formula = R"(
 p = (g₁(u) h₁(v), g₂(u) h₁(v), h₂(v))
@@ -314,7 +295,6 @@ h = (a, 0) + superellipse(tube, c, gamma_v, by)
          .parameters = torus_measures() + gammas() + by_ellipses(),
          .make = make_toroid,
          .dimension = 2,
-         .section = "Quadrics and superquadrics",
          .example = R"(
 // A corridor around a square court, seen from inside and unrolled: outer wall, ceiling, inner
 // wall and floor.

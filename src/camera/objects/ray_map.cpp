@@ -4,6 +4,7 @@
 // Object generator, PCS → OCS: the origins, the targets or the directions of a map of rays.
 
 #include "camera/catalogue/families.hpp"
+#include "camera/catalogue/stage_parameters.hpp"
 #include "camera/tables/cubic_map.hpp"
 
 namespace balcony::camera {
@@ -45,8 +46,7 @@ Result<std::shared_ptr<const Stage>> make_ray_map(const Arguments& a) {
 
 std::vector<StageEntry> ray_maps() {
     return {
-        {.kind = StageKind::object_generator,
-         .name = "ray_map",
+        {.name = "ray_map",
          .meaning =
              "the rays of a file, such as those of a measured camera: eye has their origins, "
              "toward their targets",
@@ -63,12 +63,10 @@ no ray outside the map and in the squares of its pixels without a ray
                          .meaning =
                              "EXR file or array (.npy) of rays; (0, 0) is the bottom left of "
                              "the map and (1, 1) its top right"},
-                        {.name = "points",
-                         .type = ChoiceParameter{.choices = {"origins", "targets", "directions"}},
-                         .meaning = "of the rays; targets are a unit along them"}},
+                        choice_parameter("points", {"origins", "targets", "directions"},
+                                         "of the rays; targets are a unit along them")},
          .make = make_ray_map,
          .dimension = 2,
-         .section = "Free-form surfaces",
          .example = R"(
 // A camera that was measured: its rays, one for each pixel of a small map, are in a file.
 camera measured {

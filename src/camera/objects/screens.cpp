@@ -99,7 +99,7 @@ Diagnostics unfit_fourth(const Vector3& corner, const Vector3& bottom, const Vec
     return {};
 }
 
-Result<std::shared_ptr<const Stage>> make_wall(const Arguments& a) {
+StageResult make_wall(const Arguments& a) {
     const Vector3 corner = wall_corner(a, "lower_left");
     const Vector3 bottom = difference(wall_corner(a, "lower_right"), corner);
     const Vector3 left = difference(wall_corner(a, "upper_left"), corner);
@@ -142,7 +142,7 @@ private:
     PointList points_;
 };
 
-Result<std::shared_ptr<const Stage>> make_folded_screen(const Arguments& a) {
+StageResult make_folded_screen(const Arguments& a) {
     const PointList& points = a.points("points");
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
         if (points[i][0] == points[i + 1][0] && points[i][1] == points[i + 1][1]) {
@@ -164,10 +164,8 @@ StageParameter corner_parameter(std::string_view name, const Vector3& value,
 }  // namespace
 
 std::vector<StageEntry> screens() {
-    const StageKind kind = StageKind::object_generator;
     return {
-        {.kind = kind,
-         .name = "wall",
+        {.name = "wall",
          .meaning = "a rectangle by its corners, such as a projection wall, by lengths along its "
                     "edges",
          .formula = R"(
@@ -192,8 +190,7 @@ camera wall_of_a_cave {
     toward wall((1.5, -1.5, 0), (-1.5, -1.5, 0), (1.5, -1.5, 2.4))
 }
 )"},
-        {.kind = kind,
-         .name = "folded_screen",
+        {.name = "folded_screen",
          .meaning = "vertical panels along a polyline, by the length u along them and the height v",
          .formula = R"(
 p = (x, y, v) with (x, y) at the length u along the polyline

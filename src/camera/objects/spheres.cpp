@@ -159,7 +159,7 @@ private:
     Spacing spacing_;
 };
 
-Result<std::shared_ptr<const Stage>> make_sphere(const Arguments& a) {
+StageResult make_sphere(const Arguments& a) {
     const Scalar radius = a.number("radius");
     const std::string& by = a.choice("by");
     if (by == "stereographic") {
@@ -193,8 +193,7 @@ Result<std::shared_ptr<const Stage>> make_sphere(const Arguments& a) {
 
 std::vector<StageEntry> spheres() {
     return {
-        {.kind = StageKind::object_generator,
-         .name = "sphere",
+        {.name = "sphere",
          .meaning = "a sphere, by longitude u and latitude v or by a map projection; u = v = 0 is "
                     "on the x axis",
          .formula = R"(
@@ -215,20 +214,18 @@ equiangular_cube   the same with tan(π s/4) and tan(π t/4) for s and t
 )",
          .parameters =
              {positive_parameter("radius", 1.0, "the radius"),
-              {.name = "by",
-               .type = ChoiceParameter{.choices = {"latitude", "stereographic", "equal_area",
-                                                   "equidistant", "orthographic",
-                                                   "cylindrical_equal_area", "mollweide", "cube",
-                                                   "equiangular_cube"}},
-               .meaning =
-                   "the parametrisation: longitude and latitude; plane coordinates of the "
-                   "stereographic projection, the hemisphere within 2; of Lambert's azimuthal "
-                   "projection, the sphere within 2, the hemisphere within the square root of 2, "
-                   "which is an equisolid fisheye; of the equidistant one, in radians; of the "
-                   "orthographic one, the hemisphere within 1; "
-                   "longitude and z/radius; Mollweide's ellipse of 2.83 by 1.41; a cube unfolded "
-                   "to a cross of faces that are 2 wide: the front from -1 to 1, all from u = 5 .. "
-                   "-3 and v = -3 .. 3, flat or in equal angles"}},
+              choice_parameter(
+                  "by",
+                  {"latitude", "stereographic", "equal_area", "equidistant", "orthographic",
+                   "cylindrical_equal_area", "mollweide", "cube", "equiangular_cube"},
+                  "the parametrisation: longitude and latitude; plane coordinates of the "
+                  "stereographic projection, the hemisphere within 2; of Lambert's azimuthal "
+                  "projection, the sphere within 2, the hemisphere within the square root of 2, "
+                  "which is an equisolid fisheye; of the equidistant one, in radians; of the "
+                  "orthographic one, the hemisphere within 1; "
+                  "longitude and z/radius; Mollweide's ellipse of 2.83 by 1.41; a cube unfolded "
+                  "to a cross of faces that are 2 wide: the front from -1 to 1, all from u = 5 .. "
+                  "-3 and v = -3 .. 3, flat or in equal angles")},
          .make = make_sphere,
          .dimension = 2,
          .example = R"(

@@ -49,15 +49,14 @@ ObjectGeneratorPointer spherical_product_of(ObjectGeneratorPointer g, ObjectGene
 
 std::vector<StageEntry> spherical_product() {
     return {
-        {.kind = StageKind::object_generator,
-         .name = "product",
+        {.name = "product",
          .meaning = "spherical product (g1 h1, g2 h1, h2) of two plane curves g(u) and h(v)",
          .formula = R"(
 p = (g₁(u) h₁(v), g₂(u) h₁(v), h₂(v))
 )",
          .parameters = {curve_parameter("g", "the horizontal cross-section, a curve in u"),
                         curve_parameter("h", "the vertical cross-section, a curve in v")},
-         .make = [](const Arguments& a) -> Result<std::shared_ptr<const Stage>> {
+         .make = [](const Arguments& a) -> StageResult {
              for (const char* factor : {"g", "h"}) {
                  if (!lies_in_xy_plane(*a.curve(factor))) {
                      return error("factor " + std::string(factor) +
@@ -68,7 +67,6 @@ p = (g₁(u) h₁(v), g₂(u) h₁(v), h₂(v))
              return made<SphericalProduct>(a.curve("g"), a.curve("h"));
          },
          .dimension = 2,
-         .section = "Quadrics and superquadrics",
          .example = R"(
 // A long room unfolded: walls, ceiling and floor, from the product of two superellipses.
 camera room(a = 45, b = 25, c = 25, gamma = 1/4) {

@@ -41,8 +41,6 @@ private:
     TablePointer weight_;
 };
 
-using Made = Result<std::shared_ptr<const Stage>>;
-
 /// The cells of a curve and the polynomials of its coordinates in them.
 struct Pieces {
     std::vector<double> breaks;
@@ -52,7 +50,7 @@ struct Pieces {
     std::vector<double> weight{};  ///< Empty: all are 1.
 };
 
-Made curve_of(const Pieces& pieces) {
+StageResult curve_of(const Pieces& pieces) {
     if (std::optional<Diagnostic> fault = fault_of_breaks(pieces.breaks)) {
         return std::move(*fault);
     }
@@ -68,7 +66,7 @@ Made curve_of(const Pieces& pieces) {
                              pieces.weight.empty() ? nullptr : table(pieces.weight));
 }
 
-Made curve_of(const Spline& spline, const PointList& points) {
+StageResult curve_of(const Spline& spline, const PointList& points) {
     Pieces pieces{spline.breaks(), spline.degree(), spline.closed()};
     for (std::size_t k = 0; k < points.coordinates; ++k) {
         pieces.coordinates.push_back(spline.coefficients(coordinate(points, k)));
@@ -115,7 +113,7 @@ Result<std::vector<double>> places_of(const PointList& points, std::string_view 
 
 bool is_closed(const Arguments& a) { return a.choice("closed") == "yes"; }
 
-Made make_polyline(const Arguments& a) {
+StageResult make_polyline(const Arguments& a) {
     const PointList& points = a.points("points");
     const bool closed = is_closed(a);
     Result<std::vector<double>> places = places_of(points, a.choice("spacing"), closed);
@@ -151,7 +149,7 @@ std::optional<Diagnostic> fault_of_tangent(const Arguments& a, std::string_view 
 }
 
 template <Interpolation interpolation>
-Made make_interpolating(const Arguments& a) {
+StageResult make_interpolating(const Arguments& a) {
     const PointList& points = a.points("points");
     const bool closed = is_closed(a);
     for (const std::string_view name : {"start_tangent", "end_tangent"}) {
@@ -177,7 +175,7 @@ Made make_interpolating(const Arguments& a) {
     return curve_of(pieces);
 }
 
-Made make_hermite(const Arguments& a) {
+StageResult make_hermite(const Arguments& a) {
     const PointList& points = a.points("points");
     const PointList& tangents = a.points("tangents");
     if (points.size() != tangents.size() || points.coordinates != tangents.coordinates) {
@@ -202,23 +200,23 @@ Made make_hermite(const Arguments& a) {
 
 // --------------------------------------------------------------------- approximating curves
 
-Made make_bezier_curve(const Arguments& a) {
+StageResult make_bezier_curve(const Arguments& a) {
     const PointList& points = a.points("points");
     const bool closed = is_closed(a);
     const Result<SplinePointer> spline =
         bezier_spline(points.size(), optional_count(a, "degree"), closed);
-    return spline ? curve_of(**spline, points) : Made(spline.diagnostics);
+    return spline ? curve_of(**spline, points) : StageResult(spline.diagnostics);
 }
 
-Made make_bspline_curve(const Arguments& a) {
+StageResult make_bspline_curve(const Arguments& a) {
     const PointList& points = a.points("points");
     const Result<SplinePointer> spline =
         make_bspline(points.size(), degree_for(points.size(), optional_count(a, "degree")),
                      ends_of(a.choice("ends")));
-    return spline ? curve_of(**spline, points) : Made(spline.diagnostics);
+    return spline ? curve_of(**spline, points) : StageResult(spline.diagnostics);
 }
 
-Made make_nurbs_curve(const Arguments& a) {
+StageResult make_nurbs_curve(const Arguments& a) {
     const Result<WeightedPoints> weighted = weighted_points(a, 4);
     if (!weighted) {
         return weighted.diagnostics;
@@ -239,12 +237,10 @@ Made make_nurbs_curve(const Arguments& a) {
 }
 
 StageParameter spacing_parameter(std::vector<std::string_view> choices) {
-    return {
-        .name = "spacing",
-        .type = ChoiceParameter{.choices = std::move(choices)},
-        .meaning =
-            "the range of u between two points: the same for all "
-            "(uniform), proportional to their distance (chordal) or its square root (centripetal)"};
+    return choice_parameter(
+        "spacing", std::move(choices),
+        "the range of u between two points: the same for all "
+        "(uniform), proportional to their distance (chordal) or its square root (centripetal)");
 }
 
 StageParameter tangent_parameter(std::string_view name, std::string_view meaning) {
@@ -269,10 +265,8 @@ std::vector<StageParameter> interpolating_parameters() {
 }  // namespace
 
 std::vector<StageEntry> spline_curves() {
-    const StageKind kind = StageKind::object_generator;
     return {
-        {.kind = kind,
-         .name = "polyline",
+        {.name = "polyline",
          .meaning = "straight lines from point to point, for u from 0 to 1",
          .formula = R"(
 p = Pᵢ + s (Pᵢ₊₁ − Pᵢ)      s = (u − uᵢ)/(uᵢ₊₁ − uᵢ) between uᵢ and uᵢ₊₁
@@ -284,7 +278,6 @@ uᵢ   grows from 0 to 1 in steps in proportion to |Pᵢ₊₁ − Pᵢ|^α:
                         closed_parameter("closed", "whether the curve returns to the first point")},
          .make = make_polyline,
          .dimension = 1,
-         .section = "General curves",
          .example = R"(// A room whose plan is given corner by corner.
 camera angular_room {
     map  u = 1 .. 0, v = -40deg .. 40deg
@@ -292,8 +285,7 @@ camera angular_room {
                  circle)
     look normal
 })"},
-        {.kind = kind,
-         .name = "catmull_rom",
+        {.name = "catmull_rom",
          .meaning = "a smooth curve through points, with tangents from neighbouring points, for u "
                     "from 0 to 1",
          .formula = R"(
@@ -310,7 +302,6 @@ uᵢ   grows from 0 to 1 in steps in proportion to |Pᵢ₊₁ − Pᵢ|^α:
          .parameters = interpolating_parameters(),
          .make = make_interpolating<Interpolation::catmull_rom>,
          .dimension = 1,
-         .section = "General curves",
          .example = R"(// A vase from the points of its outline.
 camera vase {
     aspect 1
@@ -318,8 +309,7 @@ camera vase {
     eye  product(circle, catmull_rom([(0.5, -1.2), (0.9, -0.5), (0.8, 0.2), (0.3, 0.8), (0.5, 1.2)]))
     look normal
 })"},
-        {.kind = kind,
-         .name = "natural_spline",
+        {.name = "natural_spline",
          .meaning = "the cubic spline through points, with continuous curvature, for u from 0 to 1",
          .formula = R"(
 p = (1 + 2s) (1 − s)² Pᵢ + s² (3 − 2s) Pᵢ₊₁
@@ -335,7 +325,6 @@ uᵢ   grows from 0 to 1 in steps in proportion to |Pᵢ₊₁ − Pᵢ|^α:
          .parameters = interpolating_parameters(),
          .make = make_interpolating<Interpolation::natural>,
          .dimension = 1,
-         .section = "General curves",
          .example = R"(// A tower on a plan with rounded corners.
 camera soft_tower {
     aspect 3
@@ -345,8 +334,7 @@ camera soft_tower {
                  curve(v) = [1 + v^2/2, v])
     look normal
 })"},
-        {.kind = kind,
-         .name = "hermite",
+        {.name = "hermite",
          .meaning = "cubic segments between points with given tangents, for u from 0 to 1",
          .formula = R"(
 p = (1 + 2s) (1 − s)² Pᵢ + s² (3 − 2s) Pᵢ₊₁
@@ -362,7 +350,6 @@ s = n u − i on segment i of n;   Tᵢ   the tangents
               closed_parameter("closed", "whether the curve returns to the first point")},
          .make = make_hermite,
          .dimension = 1,
-         .section = "General curves",
          .example = R"(// A wall that leaves the line of sight and returns to it.
 camera swerving_wall {
     map  u = 1 .. 0, v = -40deg .. 40deg
@@ -370,8 +357,7 @@ camera swerving_wall {
                  circle)
     look normal
 })"},
-        {.kind = kind,
-         .name = "bezier",
+        {.name = "bezier",
          .meaning = "a Bézier curve, which starts at its first point and ends at its last, for u "
                     "from 0 to 1",
          .formula = R"(
@@ -384,15 +370,13 @@ s = m u − k on piece k of m
               closed_parameter("closed", "whether the last piece ends with the first point")},
          .make = make_bezier_curve,
          .dimension = 1,
-         .section = "General curves",
          .example = R"(// A fan vault: rays leave a quarter arch rotated around the z axis.
 camera vault {
     map  u = 70deg .. -70deg, v = 0 .. 1
     eye  product(circle, bezier([(3, 0), (3, 1.6), (2, 2), (0.5, 2.2)]))
     look normal
 })"},
-        {.kind = kind,
-         .name = "bspline",
+        {.name = "bspline",
          .meaning = "a B-spline curve, which approximates its points, for u from 0 to 1",
          .formula = R"(
 p = Σᵢ Nᵢ(t) Pᵢ      Nᵢ   the B-splines of degree n on the knots t₀ ≤ t₁ ≤ …
@@ -414,7 +398,6 @@ closed    steps of 1, points repeated periodically; the curve starts where
                   "is periodic")},
          .make = make_bspline_curve,
          .dimension = 1,
-         .section = "General curves",
          .example = R"(// All round from a plan shaped like a cloverleaf.
 camera clover {
     aspect 3
@@ -424,8 +407,7 @@ camera clover {
                  circle)
     look normal
 })"},
-        {.kind = kind,
-         .name = "nurbs",
+        {.name = "nurbs",
          .meaning =
              "a rational B-spline curve, which can represent conics exactly, for u from 0 to 1",
          .formula = R"(
@@ -446,7 +428,6 @@ t grows from t_n to t_m with u, for m points
               knots_parameter("knots")},
          .make = make_nurbs_curve,
          .dimension = 1,
-         .section = "General curves",
          .example = R"(// An exact half circle, revolved to a globe.
 camera globe {
     map  u = 180deg .. -180deg, v = 0 .. 1

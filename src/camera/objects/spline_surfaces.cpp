@@ -41,8 +41,6 @@ private:
     TablePointer weight_;
 };
 
-using Made = Result<std::shared_ptr<const Stage>>;
-
 struct NetSize {
     std::size_t columns, rows;
 };
@@ -87,9 +85,9 @@ constexpr std::size_t max_coefficients = std::size_t{1} << 22U;
 
 /// The surface over a net; `coordinates` hold the values of three coordinates, times the weights
 /// if there are any.
-Made surface_of(const Spline& along_u, const Spline& along_v, std::size_t columns,
-                std::span<const std::vector<double>> coordinates,
-                const std::vector<double>& weights = {}) {
+StageResult surface_of(const Spline& along_u, const Spline& along_v, std::size_t columns,
+                       std::span<const std::vector<double>> coordinates,
+                       const std::vector<double>& weights = {}) {
     for (const Spline* along : {&along_u, &along_v}) {
         if (std::optional<Diagnostic> fault = fault_of_breaks(along->breaks())) {
             return std::move(*fault);
@@ -117,7 +115,7 @@ Made surface_of(const Spline& along_u, const Spline& along_v, std::size_t column
 /// From the parameters points and columns, and what makes the spline along a side from the number
 /// of its points and the side's letter.
 template <class MakeSpline>
-Made unweighted_surface(const Arguments& a, const MakeSpline& make_spline) {
+StageResult unweighted_surface(const Arguments& a, const MakeSpline& make_spline) {
     const Result<NetSize> size = net_size(a);
     if (!size) {
         return size.diagnostics;
@@ -142,21 +140,21 @@ Side side(std::string_view letter) {
                          : Side{"degree_v", "ends_v", "knots_v", "closed_v"};
 }
 
-Made make_bezier_patch(const Arguments& a) {
+StageResult make_bezier_patch(const Arguments& a) {
     return unweighted_surface(a, [&](std::size_t points, std::string_view letter) {
         return bezier_spline(points, optional_count(a, side(letter).degree),
                              a.choice(side(letter).closed) == "yes");
     });
 }
 
-Made make_bspline_patch(const Arguments& a) {
+StageResult make_bspline_patch(const Arguments& a) {
     return unweighted_surface(a, [&](std::size_t points, std::string_view letter) {
         return make_bspline(points, degree_for(points, optional_count(a, side(letter).degree)),
                             ends_of(a.choice(side(letter).ends)));
     });
 }
 
-Made make_interpolating_patch(const Arguments& a) {
+StageResult make_interpolating_patch(const Arguments& a) {
     const Interpolation by =
         a.choice("by") == "natural" ? Interpolation::natural : Interpolation::catmull_rom;
     return unweighted_surface(
@@ -167,7 +165,7 @@ Made make_interpolating_patch(const Arguments& a) {
         });
 }
 
-Made make_nurbs_patch(const Arguments& a) {
+StageResult make_nurbs_patch(const Arguments& a) {
     const Result<NetSize> size = net_size(a);
     const Result<WeightedPoints> weighted = weighted_points(a, 4);
     if (!size || !weighted) {
@@ -203,10 +201,8 @@ constexpr std::string_view bspline_ends =
 }  // namespace
 
 std::vector<StageEntry> spline_surfaces() {
-    const StageKind kind = StageKind::object_generator;
     return {
-        {.kind = kind,
-         .name = "bezier_patch",
+        {.name = "bezier_patch",
          .meaning =
              "a Bézier surface, which interpolates the corners of its net, for u and v from 0 to 1",
          .formula = R"(
@@ -224,7 +220,6 @@ B   the Bernstein polynomials of the piece, as for bezier
                  closed_parameter("closed_v", "whether the last row is followed by the first")},
          .make = make_bezier_patch,
          .dimension = 2,
-         .section = "Free-form surfaces",
          .example = R"(// A sail in the wind: rays leave it along its normals.
 camera sail {
     aspect 1
@@ -234,8 +229,7 @@ camera sail {
                        (0, -0.6, 1), (1.5, -0.2, 1.4), (1, 0.2, 1.6), (0, 0.5, 2)], columns = 4)
     look normal
 })"},
-        {.kind = kind,
-         .name = "bspline_patch",
+        {.name = "bspline_patch",
          .meaning = "a B-spline surface, which approximates its net, for u and v from 0 to 1",
          .formula = R"(
 p = Σᵢⱼ Nᵢ(u) Nⱼ(v) Pᵢⱼ      Pᵢⱼ   the point in column i of row j
@@ -248,7 +242,6 @@ N   the B-splines of each side, as for bspline
                                    ends_parameter("ends_v", bspline_ends)},
          .make = make_bspline_patch,
          .dimension = 2,
-         .section = "Free-form surfaces",
          .example = R"(// A leaning tube of varying width, seen from its axis outwards.
 camera leaning_tube {
     aspect 3
@@ -260,8 +253,7 @@ camera leaning_tube {
                        columns = 4, ends_u = closed)
     look normal
 })"},
-        {.kind = kind,
-         .name = "nurbs_patch",
+        {.name = "nurbs_patch",
          .meaning = "a rational B-spline surface, which can represent quadrics exactly, for u and "
                     "v from 0 to 1",
          .formula = R"(
@@ -280,7 +272,6 @@ N   the B-splines of each side, as for nurbs
                          knots_parameter("knots_v")},
          .make = make_nurbs_patch,
          .dimension = 2,
-         .section = "Free-form surfaces",
          .example = R"(// An exact quarter cylinder, bent back at its upper end.
 camera apse {
     let w = sqrt(1/2)
@@ -291,8 +282,7 @@ camera apse {
                      columns = 3, degree_u = 2, degree_v = 2)
     look normal
 })"},
-        {.kind = kind,
-         .name = "interpolating_patch",
+        {.name = "interpolating_patch",
          .meaning = "a smooth surface through the points of a net, for u and v from 0 to 1",
          .formula = R"(
 p = Σᵢⱼ Lᵢ(u) Lⱼ(v) Pᵢⱼ      Pᵢⱼ   the point in column i of row j
@@ -305,16 +295,13 @@ uᵢ = i/(columns − 1), or i/columns if closed; vⱼ likewise
                             "the points on the surface, row by row, evenly spaced "
                             "in u and v") +
              std::vector{
-                 StageParameter{.name = "by",
-                                .type = ChoiceParameter{.choices = {"catmull_rom", "natural"}},
-                                .meaning =
-                                    "tangents from the neighbours, which limits the influence "
-                                    "of a point to its surroundings, or continuous curvature"},
+                 choice_parameter("by", {"catmull_rom", "natural"},
+                                  "tangents from the neighbours, which limits the influence "
+                                  "of a point to its surroundings, or continuous curvature"),
                  closed_parameter("closed_u", "whether rows return to their first point"),
                  closed_parameter("closed_v", "whether the last row is followed by the first")},
          .make = make_interpolating_patch,
          .dimension = 2,
-         .section = "Free-form surfaces",
          .example =
              R"(// A wall with a bulge, from which rays spread: it shows a larger region at a smaller scale.
 camera swelling_wall {

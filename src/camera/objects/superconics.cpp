@@ -233,17 +233,12 @@ Result<ObjectGeneratorPointer> superhyperbola(Scalar a, Scalar b, Scalar gamma,
 // Below the minimum gamma, the corners are sharper than the arc-length table resolves; above the
 // maximum, the points reach the centre.
 StageParameter gamma_parameter(std::string_view name, std::string_view meaning) {
-    return {
-        .name = name,
-        .type = NumberParameter{.default_value = 1.0, .range = {.minimum = 0.05, .maximum = 20.0}},
-        .meaning = meaning};
+    return number_parameter(name, 1.0, meaning, {.minimum = 0.05, .maximum = 20.0});
 }
 
 std::vector<StageEntry> superconics() {
-    const StageKind kind = StageKind::object_generator;
     return {
-        {.kind = kind,
-         .name = "superellipse",
+        {.name = "superellipse",
          .meaning = "|x/a|^e + |y/b|^e = 1 with e = 2/gamma, as a curve in u",
          .formula = R"(
 angle_centre    p = r (a cos u, b sin u),   r = (|cos u|^e + |sin u|^e)^(−1/e)
@@ -255,20 +250,18 @@ e = 2/gamma,   x^[g] = sign(x) |x|^g
                         positive_parameter("b", 1.0, "half axis along y"),
                         gamma_parameter(
                             "gamma", "superconic parameter: 1 is the conic, less is more square"),
-                        {.name = "by",
-                         .type = ChoiceParameter{.choices = superellipse_parametrisations()},
-                         .meaning =
-                             "the parametrisation: u is the polar angle before scaling by a and b, "
-                             "the classical parameter (no tangent on the axes unless gamma is 1), "
-                             "or proportional to arc length (the whole curve is 360deg; relative "
-                             "error below 1e-7 for a/b from 1/10 to 10 and gamma <= 2)"}},
+                        choice_parameter(
+                            "by", superellipse_parametrisations(),
+                            "the parametrisation: u is the polar angle before scaling by a and b, "
+                            "the classical parameter (no tangent on the axes unless gamma is 1), "
+                            "or proportional to arc length (the whole curve is 360deg; relative "
+                            "error below 1e-7 for a/b from 1/10 to 10 and gamma <= 2)")},
          .make =
              [](const Arguments& a) {
                  return as_stage(
                      superellipse(a.number("a"), a.number("b"), a.number("gamma"), a.choice("by")));
              },
          .dimension = 1,
-         .section = "Conics and superconics",
          .example = R"(
 // The four sides of a square from its centre, each at a constant scale: the eye follows a rounded
 // rectangle, and rays cross a wider one.
@@ -279,8 +272,7 @@ camera round_the_block {
     toward product(superellipse(1, 2/3, gamma = 1/4, by = arc_length), curve(v) = [9, v])
 }
 )"},
-        {.kind = kind,
-         .name = "superhyperbola",
+        {.name = "superhyperbola",
          .meaning = "one branch, x > 0, of |x/a|^e - |y/b|^e = 1 with e = 2/gamma, as a curve in u",
          .formula = R"(
 cartesian       p = (a (1 + |u|^e)^(1/e), b u)
@@ -294,19 +286,17 @@ e = 2/gamma,   x^[g] = sign(x) |x|^g
              {positive_parameter("a", 1.0, "half axis along x"),
               positive_parameter("b", 1.0, "half axis along y"),
               gamma_parameter("gamma", "superconic parameter: 1 is the conic, less is more square"),
-              {.name = "by",
-               .type = ChoiceParameter{.choices = superhyperbola_parametrisations()},
-               .meaning =
-                   "the parametrisation: u is y/b, the hyperbolic parameter, the classical angle "
-                   "(below 90deg; like the previous one without a tangent at 0 unless gamma is 1), "
-                   "or the polar angle before scaling by a and b (below 45deg)"}},
+              choice_parameter(
+                  "by", superhyperbola_parametrisations(),
+                  "the parametrisation: u is y/b, the hyperbolic parameter, the classical angle "
+                  "(below 90deg; like the previous one without a tangent at 0 unless gamma is 1), "
+                  "or the polar angle before scaling by a and b (below 45deg)")},
          .make =
              [](const Arguments& a) {
                  return as_stage(superhyperbola(a.number("a"), a.number("b"), a.number("gamma"),
                                                 a.choice("by")));
              },
          .dimension = 1,
-         .section = "Conics and superconics",
          .example = R"(
 // Two walls that meet in a corner, both seen at right angles, with a narrow bend between them. The
 // rays pass from one superhyperbola to another.

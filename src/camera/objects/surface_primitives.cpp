@@ -134,16 +134,13 @@ std::vector<StageParameter> half_widths() {
 }  // namespace
 
 std::vector<StageEntry> surface_primitives() {
-    const StageKind kind = StageKind::object_generator;
     std::vector<StageParameter> paraboloid_parameters = half_widths();
-    paraboloid_parameters.push_back(
-        {.name = "by",
-         .type = ChoiceParameter{.choices = {"polar", "cartesian"}},
-         .meaning = "the parametrisation: u is the angle and v the root of z, front outside; or u "
-                    "is x/a and v is y/b, front inside"});
+    paraboloid_parameters.push_back(choice_parameter(
+        "by", {"polar", "cartesian"},
+        "the parametrisation: u is the angle and v the root of z, front outside; or u "
+        "is x/a and v is y/b, front inside"));
     return {
-        {.kind = kind,
-         .name = "disc",
+        {.name = "disc",
          .meaning = "a disc around the z axis in the plane z = 0, whose front faces up",
          .formula = R"(
 polar        p = radius v (cos u, sin u, 0)      0 ≤ v ≤ 1
@@ -153,12 +150,11 @@ concentric   p = radius u (cos φ, sin φ, 0),  φ = (π/4) v/u   where |v| < |u
 )",
          .parameters =
              {positive_parameter("radius", 1.0, "the radius"),
-              {.name = "by",
-               .type = ChoiceParameter{.choices = {"polar", "concentric"}},
-               .meaning =
-                   "the parametrisation: u is the angle and v the distance from the centre, 1 "
-                   "at the rim; or the square of u and v from -1 to 1, with relative areas "
-                   "preserved"}},
+              choice_parameter(
+                  "by", {"polar", "concentric"},
+                  "the parametrisation: u is the angle and v the distance from the centre, 1 "
+                  "at the rim; or the square of u and v from -1 to 1, with relative areas "
+                  "preserved")},
          .make =
              [](const Arguments& a) {
                  return a.choice("by") == "polar" ? made<Ring>(0.0, a.number("radius"))
@@ -173,20 +169,17 @@ camera round_window(radius = 2) {
     look normal(side = back)
 }
 )"},
-        {.kind = kind,
-         .name = "ring",
+        {.name = "ring",
          .meaning =
              "the part of the plane z = 0 between two circles around the z axis, whose front faces "
              "up; u is the angle, v runs from 0 at the inner to 1 at the outer circle",
          .formula = R"(
 p = r (cos u, sin u, 0)      r = inner + v (outer − inner),   0 ≤ v ≤ 1
 )",
-         .parameters = {{.name = "inner",
-                         .type = NumberParameter{.default_value = 0.5, .range = {.minimum = 0.0}},
-                         .meaning = "radius of the inner circle"},
+         .parameters = {number_parameter("inner", 0.5, "radius of the inner circle",
+                                         {.minimum = 0.0}),
                         positive_parameter("outer", 1.0, "radius of the outer circle")},
-         .make =
-             [](const Arguments& a) { return made<Ring>(a.number("inner"), a.number("outer")); },
+         .make = maker<Ring>("inner", "outer"),
          .dimension = 2,
          .example = R"(
 // A ring of seats, unrolled and seen from above: the stage is at the bottom, the last row on top.
@@ -198,25 +191,17 @@ camera arena {
     move translate(0, 0, 3)
 }
 )"},
-        {.kind = kind,
-         .name = "cone",
+        {.name = "cone",
          .meaning =
              "a cone or a frustum around the z axis, by angle u and height v; ends at its apex",
          .formula = R"(
 p = (r cos u, r sin u, v)      r = radius + v (top − radius)/height ≥ 0
 )",
-         .parameters = {{.name = "radius",
-                         .type = NumberParameter{.default_value = 1.0, .range = {.minimum = 0.0}},
-                         .meaning = "radius at height 0"},
-                        {.name = "top",
-                         .type = NumberParameter{.default_value = 0.0, .range = {.minimum = 0.0}},
-                         .meaning = "radius at `height`"},
+         .parameters = {number_parameter("radius", 1.0, "radius at height 0", {.minimum = 0.0}),
+                        number_parameter("top", 0.0, "radius at `height`", {.minimum = 0.0}),
                         positive_parameter("height", 1.0,
                                            "the height at which the radius is `top`")},
-         .make =
-             [](const Arguments& a) {
-                 return made<Cone>(a.number("radius"), a.number("top"), a.number("height"));
-             },
+         .make = maker<Cone>("radius", "top", "height"),
          .dimension = 2,
          .example = R"(
 // Looks out of a pointed roof all round, upwards according to the slope of its sides.
@@ -226,8 +211,7 @@ camera roof {
     look normal
 }
 )"},
-        {.kind = kind,
-         .name = "paraboloid",
+        {.name = "paraboloid",
          .meaning = "the elliptic paraboloid z = x^2/a^2 + y^2/b^2",
          .formula = R"(
 polar       p = (a v cos u, b v sin u, v²)
@@ -249,8 +233,7 @@ camera headlight {
     move rotate(z, -90deg), rotate(y, -90deg)
 }
 )"},
-        {.kind = kind,
-         .name = "hyperbolic_paraboloid",
+        {.name = "hyperbolic_paraboloid",
          .meaning = "the saddle z = x^2/a^2 - y^2/b^2 by u = x/a and v = y/b, whose front faces up",
          .formula = R"(
 p = (a u, b v, u² − v²)
@@ -267,8 +250,7 @@ camera saddle {
     look normal
 }
 )"},
-        {.kind = kind,
-         .name = "mobius_band",
+        {.name = "mobius_band",
          .meaning = "a twisted band around the z axis, by the angle u and the distance v "
                     "from its centre circle",
          .formula = R"(
@@ -280,10 +262,7 @@ p = (r cos u, r sin u, v sin φ)      r = radius + v cos φ,   φ = half_turns u
                                                 .range = {.minimum = 0.0, .maximum = 1000.0}},
                          .meaning = "number of half turns per revolution: with an odd number, the "
                                     "band is one-sided"}},
-         .make =
-             [](const Arguments& a) {
-                 return made<MobiusBand>(a.number("radius"), a.count("half_turns"));
-             },
+         .make = maker<MobiusBand>("radius", "half_turns"),
          .dimension = 2,
          .example = R"(
 // Twice around a one-sided band: the second half of the picture looks in the opposite directions

@@ -78,7 +78,7 @@ private:
     Parts parts_;
 };
 
-Result<std::shared_ptr<const Stage>> make_sweep(const Arguments& a) {
+StageResult make_sweep(const Arguments& a) {
     Sweep::Parts parts{a.curve("profile"),
                        a.curve("path"),
                        a.constant("from"),
@@ -116,8 +116,7 @@ Result<std::shared_ptr<const Stage>> make_sweep(const Arguments& a) {
 
 std::vector<StageEntry> sweeps() {
     return {
-        {.kind = StageKind::object_generator,
-         .name = "sweep",
+        {.name = "sweep",
          .meaning = "a curve, the profile, swept along another, the path: u is the path's own "
                     "parameter, v that of the profile",
          .formula = R"(
@@ -147,19 +146,18 @@ arc_length(curve) they are even in length.
                    NumberParameter{.unit = Unit::either, .default_value = 1.0, .constant = true},
                .meaning =
                    "the path's parameter at the end; a path that is closed there is periodic"},
-              {.name = "twist",
-               .type = NumberParameter{.unit = Unit::angle, .default_value = 0.0},
-               .meaning =
-                   "rotation of the profile along the path, counter-clockwise as seen along it"},
+              angle_parameter(
+                  "twist", 0.0,
+                  "rotation of the profile along the path, counter-clockwise as seen along it"),
               {.name = "scale",
                .type = FormulaParameter{.shape = {1, 1, 2}},
                .optional = true,
                .meaning = "size of the profile: scale(s) = [k], or [k, l] in x and y, with s from "
                           "0 to 1 along the path"},
-              {.name = "frame",
-               .type = ChoiceParameter{.choices = {"rotation_minimising", "upright"}},
-               .meaning = "orientation of the profile: without rotation about the path, or with "
-                          "its y axis as close to up as possible"},
+              choice_parameter(
+                  "frame", {"rotation_minimising", "upright"},
+                  "orientation of the profile: without rotation about the path, or with "
+                  "its y axis as close to up as possible"),
               {.name = "up",
                .type = TripleParameter{.default_value = std::array{0.0, 0.0, 1.0},
                                        .constant = true,
@@ -167,7 +165,6 @@ arc_length(curve) they are even in length.
                .meaning = "direction of the profile's y axis: at the start, or everywhere"}},
          .make = make_sweep,
          .dimension = 2,
-         .section = "Sweeps",
          .example =
              R"(// Outwards from a tube that winds through space, from its last bend to its first.
 camera winding_tube {

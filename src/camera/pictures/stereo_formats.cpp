@@ -74,7 +74,7 @@ Result<Picture> seen_by(const Picture& picture, const StereoPair& pair, bool lef
     if (pair.merge) {
         values.push_back({"merge", Tuple{radians((*pair.merge)[0]), radians((*pair.merge)[1])}});
     }
-    Result<std::shared_ptr<const Stage>> stage = make_stage(*row, values);
+    StageResult stage = make_stage(*row, values);
     return stage ? picture.with_stereo(std::static_pointer_cast<const StereoView>(*stage))
                  : Result<Picture>(std::move(stage.diagnostics));
 }

@@ -86,8 +86,7 @@ std::vector<StageEntry> blended_rule() {
                               .meaning = meaning};
     };
     return {
-        {.kind = StageKind::direction_rule,
-         .name = "blend",
+        {.name = "blend",
          .meaning = "interpolates two rules by a formula of the eye object's parameters",
          .formula = R"(
 mixing   d = (1 − w) a + w b
@@ -102,12 +101,11 @@ a, b   the unit directions of first and second;   w = weight(u, v)
                .type = FormulaParameter{.shape = {2, 1, 1}},
                .meaning =
                    "weight(u, v) = [w]; below 0 and above 1 the directions are extrapolated"},
-              {.name = "by",
-               .type = ChoiceParameter{.choices = {"mixing", "angle"}},
-               .meaning =
-                   "the sum (1 - w) first + w second of unit vectors, or a rotation from the first "
-                   "to the second by w times the angle between them (no ray where they are "
-                   "opposite)"}},
+              choice_parameter(
+                  "by", {"mixing", "angle"},
+                  "the sum (1 - w) first + w second of unit vectors, or a rotation from the first "
+                  "to the second by w times the angle between them (no ray where they are "
+                  "opposite)")},
          .make =
              [](const Arguments& a) {
                  const auto first = a.stage<DirectionRule>("first");

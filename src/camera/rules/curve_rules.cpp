@@ -56,12 +56,10 @@ private:
 };
 
 StageParameter sense_parameter(std::string_view meaning) {
-    return {.name = "sense",
-            .type = ChoiceParameter{.choices = {"forward", "backward"}},
-            .meaning = meaning};
+    return choice_parameter("sense", {"forward", "backward"}, meaning);
 }
 
-Result<std::shared_ptr<const Stage>> make_sideways_rule(const Arguments& a) {
+StageResult make_sideways_rule(const Arguments& a) {
     const Triple up = a.triple("up");
     if (up[0].constant() == 0.0 && up[1].constant() == 0.0 && up[2].constant() == 0.0) {
         return error("up has no direction", {}, "write z, or a vector such as (0, 1, 1)");
@@ -70,26 +68,23 @@ Result<std::shared_ptr<const Stage>> make_sideways_rule(const Arguments& a) {
 }
 
 template <FrenetRule::FrameVector vector>
-Result<std::shared_ptr<const Stage>> make_frenet_rule(const Arguments& a) {
+StageResult make_frenet_rule(const Arguments& a) {
     return made<FrenetRule>(vector, a.choice("sense") == "backward");
 }
 
 }  // namespace
 
 std::vector<StageEntry> curve_rules() {
-    const StageKind kind = StageKind::direction_rule;
     return {
-        {.kind = kind,
-         .name = "sideways",
+        {.name = "sideways",
          .meaning = "at right angles to an upward vector and to a curve, or to the curves along u "
                     "of a surface",
          .formula = R"(
 left   d = up × c′(u)        right   d = c′(u) × up
 no ray where c′(u) is 0 or parallel to up
 )",
-         .parameters = {{.name = "side",
-                         .type = ChoiceParameter{.choices = {"left", "right"}},
-                         .meaning = "of the way on which u increases, with `up` upwards"},
+         .parameters = {choice_parameter("side", {"left", "right"},
+                                         "of the way on which u increases, with `up` upwards"),
                         {.name = "up",
                          .type = TripleParameter{.default_value = std::array{0.0, 0.0, 1.0},
                                                  .names_axes = true},
@@ -103,8 +98,7 @@ camera street_fronts {
     look sideways(left)
 }
 )"},
-        {.kind = kind,
-         .name = "binormal",
+        {.name = "binormal",
          .meaning = "along the binormal of a curve, perpendicular to the plane in which it bends; "
                     "of a surface, of its curves along u",
          .formula = R"(
@@ -123,8 +117,7 @@ camera ramp {
     look binormal(backward)
 }
 )"},
-        {.kind = kind,
-         .name = "principal_normal",
+        {.name = "principal_normal",
          .meaning = "along the principal normal of a curve, towards its centre of curvature; of a "
                     "surface, of its curves along u",
          .formula = R"(

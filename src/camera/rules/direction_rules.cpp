@@ -59,7 +59,7 @@ private:
     Triple direction_;
 };
 
-Result<std::shared_ptr<const Stage>> make_fixed_rule(const Arguments& a) {
+StageResult make_fixed_rule(const Arguments& a) {
     const Triple direction = a.triple("direction");
     if (direction[0].constant() == 0.0 && direction[1].constant() == 0.0 &&
         direction[2].constant() == 0.0) {
@@ -72,10 +72,8 @@ Result<std::shared_ptr<const Stage>> make_fixed_rule(const Arguments& a) {
 }  // namespace
 
 std::vector<StageEntry> direction_rules() {
-    const StageKind kind = StageKind::direction_rule;
     return {
-        {.kind = kind,
-         .name = "absolute",
+        {.name = "absolute",
          .meaning = "from the direction object's own origin to its point",
          .formula = R"(
 d = q − q₀      q   the point of the direction object
@@ -91,8 +89,7 @@ camera walking_panorama {
     look   absolute
 }
 )"},
-        {.kind = kind,
-         .name = "relative",
+        {.name = "relative",
          .meaning = "from the eye point to the point of the direction object",
          .formula = R"(
 d = q − p      q   the point of the direction object,   p   the eye point
@@ -107,18 +104,16 @@ camera perspective {
     look   relative
 }
 )"},
-        {.kind = kind,
-         .name = "tangent",
+        {.name = "tangent",
          .meaning = "along a tangent of the eye object",
          .formula = R"(
 d = ±∂p/∂u or ±∂p/∂v      + forward, − backward
 )",
-         .parameters = {{.name = "along",
-                         .type = ChoiceParameter{.choices = {"u", "v"}},
-                         .meaning = "the increasing parameter: u or, for a surface, v"},
-                        {.name = "sense",
-                         .type = ChoiceParameter{.choices = {"forward", "backward"}},
-                         .meaning = "in the direction of the point's motion, or opposite to it"}},
+         .parameters = {choice_parameter("along", {"u", "v"},
+                                         "the increasing parameter: u or, for a surface, v"),
+                        choice_parameter(
+                            "sense", {"forward", "backward"},
+                            "in the direction of the point's motion, or opposite to it")},
          .make =
              [](const Arguments& a) {
                  using enum TangentRule::Parameter;
@@ -133,8 +128,7 @@ camera round_the_pillar {
     look tangent(along = u)
 }
 )"},
-        {.kind = kind,
-         .name = "along",
+        {.name = "along",
          .meaning = "along a fixed vector in the camera's axes, which moves do not rotate",
          .formula = R"(
 d = direction

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "camera/catalogue/families.hpp"
+#include "camera/catalogue/stage_parameters.hpp"
 
 namespace balcony::camera {
 
@@ -196,8 +197,7 @@ NormalRule::Side side_of(std::string_view name) {
 
 std::vector<StageEntry> normal_rule() {
     return {
-        {.kind = StageKind::direction_rule,
-         .name = "normal",
+        {.name = "normal",
          .meaning = "along the normals of the eye object",
          .formula = R"(
 surface   d = ±n,  n = ∂p/∂u × ∂p/∂v, or the object's own normal
@@ -205,15 +205,13 @@ curve     d = ±c′(u) × A,  A = ∫ (c − m) × c′ du
           over the visible part of the curve, with its centre m
 outward   the sign with ∫ n·(p − m) dA > 0 for a surface, + for a curve
 )",
-         .parameters =
-             {{.name = "side",
-               .type = ChoiceParameter{.choices = {"front", "back", "outward", "inward"}},
-               .meaning =
-                   "front: the side of the cross product of the tangents along u and v, unless the "
-                   "object specifies otherwise; back: the opposite; outward: the convex side of "
-                   "the visible part of the surface, also beyond a pole, where the front is on the "
-                   "other side, or of a curve, in its plane; inward: the opposite of outward; a "
-                   "flat surface has no outside"}},
+         .parameters = {choice_parameter(
+             "side", {"front", "back", "outward", "inward"},
+             "front: the side of the cross product of the tangents along u and v, unless the "
+             "object specifies otherwise; back: the opposite; outward: the convex side of "
+             "the visible part of the surface, also beyond a pole, where the front is on the "
+             "other side, or of a curve, in its plane; inward: the opposite of outward; a "
+             "flat surface has no outside")},
          .make = [](const Arguments& a) { return made<NormalRule>(side_of(a.choice("side"))); },
          .example = R"(
 // A room seen from inside a glass bowl: outwards in all directions, for any parametrisation.

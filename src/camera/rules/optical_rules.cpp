@@ -92,8 +92,7 @@ DirectionRulePointer incident_of(const Arguments& a) {
 }
 
 StageParameter at_parameter(std::string_view meaning) {
-    return {
-        .name = "at", .type = ChoiceParameter{.choices = {"eye", "toward"}}, .meaning = meaning};
+    return choice_parameter("at", {"eye", "toward"}, meaning);
 }
 
 StageParameter incident_parameter() {
@@ -108,10 +107,8 @@ StageParameter incident_parameter() {
 }  // namespace
 
 std::vector<StageEntry> optical_rules() {
-    const StageKind kind = StageKind::direction_rule;
     return {
-        {.kind = kind,
-         .name = "reflect",
+        {.name = "reflect",
          .meaning = "a direction reflected at the eye object or the direction object",
          .formula = R"(
 d = i − 2 (i·n) n
@@ -134,8 +131,7 @@ camera light_probe {
     look   reflect(incident = along(x))
 }
 )"},
-        {.kind = kind,
-         .name = "refract",
+        {.name = "refract",
          .meaning = "a direction refracted at the eye object or the direction object",
          .formula = R"(
 d = i/μ + (±√k − (i·n)/μ) n      the sign is that of i·n

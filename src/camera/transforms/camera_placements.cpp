@@ -157,7 +157,7 @@ std::optional<Diagnostic> fault_of_up(const Triple& up) {
     return std::nullopt;
 }
 
-Result<std::shared_ptr<const Stage>> make_look_at(const Arguments& a) {
+StageResult make_look_at(const Arguments& a) {
     const Triple up = a.triple("up");
     if (auto fault = fault_of_up(up)) {
         return std::move(*fault);
@@ -179,7 +179,7 @@ Result<std::shared_ptr<const Stage>> make_look_at(const Arguments& a) {
     return made<LookAt>(a.triple("from"), a.triple("target"), up, a.number("roll"));
 }
 
-Result<std::shared_ptr<const Stage>> make_follow(const Arguments& a) {
+StageResult make_follow(const Arguments& a) {
     using Look = Follow::Look;
     const std::string& look = a.choice("look");
     Follow::Parts parts{a.curve("path"),
@@ -230,18 +230,15 @@ StageParameter up_parameter(bool constant) {
 }
 
 StageParameter roll_parameter() {
-    return {.name = "roll",
-            .type = NumberParameter{.unit = Unit::angle, .default_value = 0.0},
-            .meaning = "rotation about the line of sight, clockwise as seen along it"};
+    return angle_parameter("roll", 0.0,
+                           "rotation about the line of sight, clockwise as seen along it");
 }
 
 }  // namespace
 
 std::vector<StageEntry> camera_placements() {
-    const StageKind kind = StageKind::object_transformer;
     return {
-        {.kind = kind,
-         .name = "look_at",
+        {.name = "look_at",
          .meaning = "puts the camera at a point, facing another: its x axis points to the target, "
                     "upright",
          .formula = R"(
@@ -267,8 +264,7 @@ camera watching {
     move   look_at((-4, 3, 2), (0, 0, 0))
 }
 )"},
-        {.kind = kind,
-         .name = "follow",
+        {.name = "follow",
          .meaning = "moves the camera along a path: to a point of it, with its x axis along the "
                     "path or to a target",
          .formula = R"(
@@ -288,24 +284,23 @@ frame = rotation_minimising   L is perpendicular to the frame's up, as for
                .type = NumberParameter{},
                .meaning = "the part of the way that lies behind, from 0 to 1: t/10 takes ten "
                           "seconds. A path that is open ends at both; a closed one goes on"},
-              {.name = "look",
-               .type = ChoiceParameter{.choices = {"along", "backward", "fixed"}},
-               .meaning = "where the x axis points: along the path, back along it, or where it "
-                          "did before"},
+              choice_parameter(
+                  "look", {"along", "backward", "fixed"},
+                  "where the x axis points: along the path, back along it, or where it "
+                  "did before"),
               {.name = "target",
                .type = TripleParameter{},
                .optional = true,
                .meaning = "a point that the x axis points to instead"},
               up_parameter(true),
               roll_parameter(),
-              {.name = "bank",
-               .type = NumberParameter{.default_value = 0.0},
-               .meaning = "how much the camera leans into bends: it leans by 45 degrees where "
-                          "the radius of curvature is this length"},
-              {.name = "frame",
-               .type = ChoiceParameter{.choices = {"upright", "rotation_minimising"}},
-               .meaning = "orientation about the line of sight: upright, or without rotation about "
-                          "the path, for one that goes straight up or loops"},
+              number_parameter("bank", 0.0,
+                               "how much the camera leans into bends: it leans by 45 degrees where "
+                               "the radius of curvature is this length"),
+              choice_parameter(
+                  "frame", {"upright", "rotation_minimising"},
+                  "orientation about the line of sight: upright, or without rotation about "
+                  "the path, for one that goes straight up or loops"),
               {.name = "from",
                .type =
                    NumberParameter{.unit = Unit::either, .default_value = 0.0, .constant = true},

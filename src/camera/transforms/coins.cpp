@@ -81,7 +81,7 @@ FallOff fall_off_of(const Arguments& a) {
                                : FallOff::smooth;
 }
 
-Result<std::shared_ptr<const Stage>> coins_of(const Arguments& a) {
+StageResult coins_of(const Arguments& a) {
     const PointList& points = a.points("points");
     std::vector<Coin> coins;
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -107,25 +107,19 @@ Result<std::shared_ptr<const Stage>> coins_of(const Arguments& a) {
 }  // namespace
 
 std::vector<StageEntry> coins() {
-    const StageKind kind = StageKind::object_transformer;
-    const StageParameter strength{
-        .name = "strength",
-        .type = NumberParameter{.default_value = 0.5,
-                                .range = {.minimum = 0.0, .maximum = max_strength}},
-        .meaning =
-            "the fraction of the way by which a point near the centre "
-            "moves towards it; enlarges by "
-            "1/(1 - strength) there"};
+    const StageParameter strength =
+        number_parameter("strength", 0.5,
+                         "the fraction of the way by which a point near the centre "
+                         "moves towards it; enlarges by "
+                         "1/(1 - strength) there",
+                         {.minimum = 0.0, .maximum = max_strength});
     const StageParameter radius = positive_parameter("radius", 1.0, "range of the effect");
-    const StageParameter falloff{
-        .name = "fall_off",
-        .type = ChoiceParameter{.choices = {"gaussian", "inverse", "linear", "smooth"}},
-        .meaning =
-            "exp(-q), 1/(1 + q), 1 - sqrt(q) or (1 - q)^3 with "
-            "q = (distance/radius)^2; the last two are 0 beyond the radius"};
+    const StageParameter falloff =
+        choice_parameter("fall_off", {"gaussian", "inverse", "linear", "smooth"},
+                         "exp(-q), 1/(1 + q), 1 - sqrt(q) or (1 - q)^3 with "
+                         "q = (distance/radius)^2; the last two are 0 beyond the radius");
     return {
-        {.kind = kind,
-         .name = "coin",
+        {.name = "coin",
          .meaning = "centre of interest: points near it move towards it, so that it appears larger",
          .formula = R"(
 p′ = p + s (at − p)
@@ -151,8 +145,7 @@ f = exp(−q) for gaussian, 1/(1 + q) for inverse, max(1 − √q, 0) for linear
         move   coin((2, 0.5, 0.2), strength = 0.8, radius = 0.8)
     }
 })"},
-        {.kind = kind,
-         .name = "coins",
+        {.name = "coins",
          .meaning = "several centres of interest at once, which share the points between them",
          .formula = R"(
 p′ = p + Σᵢ wᵢ (cᵢ − p)/(1 + Σᵢ wᵢ)      cᵢ   the centres

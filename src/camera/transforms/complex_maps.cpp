@@ -182,9 +182,7 @@ private:
 };
 
 StageParameter cut_parameter() {
-    return {.name = "cut",
-            .type = NumberParameter{.unit = Unit::angle, .default_value = pi},
-            .meaning = "the direction of the branch cut from the centre"};
+    return angle_parameter("cut", pi, "the direction of the branch cut from the centre");
 }
 
 StageParameter complex_parameter(std::string_view name, double value, std::string_view meaning) {
@@ -225,11 +223,9 @@ bool is_inside(const Pair& point, const Pair& frame, bool ellipse) {
 }  // namespace
 
 std::vector<StageEntry> complex_maps() {
-    const StageKind kind = StageKind::parameter_transformer;
     const StageParameter center = pair_parameter("at", {0.0, 0.0}, "the centre");
     return {
-        {.kind = kind,
-         .name = "power",
+        {.name = "power",
          .meaning = "z^w of z = u + i v; a whole w from 1 to 16 has no branch cut",
          .formula = R"(
 u′ + i v′ = at + z^w = at + exp(w log z)
@@ -250,8 +246,7 @@ log z = log |z| + i arg z with cut − 360° < arg z ≤ cut
     eye    point
     toward plane((1, 0, 0))
 })"},
-        {.kind = kind,
-         .name = "exponential",
+        {.name = "exponential",
          .meaning = "e^z of z = u + i v: columns become circles, rows become rays from (0, 0)",
          .formula = R"(
 u′ + i v′ = exp(u + i v) = exp(u) (cos v + i sin v)
@@ -263,8 +258,7 @@ u′ + i v′ = exp(u + i v) = exp(u) (cos v + i sin v)
     eye    point
     toward plane((1, 0, 0))
 })"},
-        {.kind = kind,
-         .name = "logarithm",
+        {.name = "logarithm",
          .meaning = "log z of z = u + i v: unrolls the surroundings of (0, 0): u becomes the "
                     "logarithm of the "
                     "distance and v the angle",
@@ -273,14 +267,13 @@ u′ + i v′ = log z = log |z| + i arg z      z = u + i v ≠ 0
 cut − 360° < arg z ≤ cut
 )",
          .parameters = {cut_parameter()},
-         .make = [](const Arguments& a) { return made<Logarithm>(a.number("cut")); },
+         .make = maker<Logarithm>("cut"),
          .example = R"(camera logarithm {
     map  u = 3 .. -3, v = square
     warp logarithm, rotate(90deg)
     eye  sphere(1)
 })"},
-        {.kind = kind,
-         .name = "moebius",
+        {.name = "moebius",
          .meaning =
              "(a z + b) / (c z + d) of z = u + i v: circles and lines become circles and lines",
          .formula = R"(
@@ -292,7 +285,7 @@ no ray where c z + d = 0
                         complex_parameter("c", 0.0, "(real part, imaginary part)"),
                         complex_parameter("d", 1.0,
                                           "(real part, imaginary part); a d must differ from b c")},
-         .make = [](const Arguments& a) -> Result<std::shared_ptr<const Stage>> {
+         .make = [](const Arguments& a) -> StageResult {
              if (is_degenerate(a)) {
                  return error("a d = b c maps all of parameter space to one point", {},
                               "change one of a, b, c and d");
@@ -305,8 +298,7 @@ no ray where c z + d = 0
     eye    point
     toward plane((1, 0, 0))
 })"},
-        {.kind = kind,
-         .name = "print_gallery",
+        {.name = "print_gallery",
          .meaning = "Escher's Print Gallery: along one turn around the centre, everything grows "
                     "`scale` times and joins itself",
          .formula = R"(
@@ -321,20 +313,17 @@ k   the whole number with 1/scale < scale^k m ≤ 1, where for z^α = a + i b
 Gallery", 2003: theirs is turns = 1, scale = 256.)
 )",
          .parameters =
-             {{.name = "scale",
-               .type = NumberParameter{.default_value = 256.0,
-                                       .range = {.minimum = 1.0, .excludes_minimum = true}},
-               .meaning = "size of a picture relative to the one inside it"},
+             {number_parameter("scale", 256.0, "size of a picture relative to the one inside it",
+                               {.minimum = 1.0, .excludes_minimum = true}),
               {.name = "turns",
                .type =
                    CountParameter{.default_value = 1.0, .range = {.minimum = 0.0, .maximum = 16.0}},
                .meaning =
                    "number of scale factors per turn; 0 is the picture within the picture, without "
                    "rotation"},
-              {.name = "grows",
-               .type = ChoiceParameter{.choices = {"clockwise", "counter_clockwise"}},
-               .meaning = "sense in which things become larger, for u to the right and v up; "
-                          "if u runs to the left, it is reversed"},
+              choice_parameter("grows", {"clockwise", "counter_clockwise"},
+                               "sense in which things become larger, for u to the right and v up; "
+                               "if u runs to the left, it is reversed"),
               {.name = "frame",
                .type = PairParameter{.unit = Unit::either,
                                      .default_value = std::array{1.0, 1.0},
@@ -346,11 +335,9 @@ Gallery", 2003: theirs is turns = 1, scale = 256.)
                .type = PairParameter{.unit = Unit::either, .default_value = std::array{0.0, 0.0}},
                .meaning =
                    "the middle of the frame, from the centre, which must be inside the frame"},
-              {.name = "shape",
-               .type = ChoiceParameter{.choices = {"rectangle", "ellipse"}},
-               .meaning = "shape of the frame"},
+              choice_parameter("shape", {"rectangle", "ellipse"}, "shape of the frame"),
               center},
-         .make = [](const Arguments& a) -> Result<std::shared_ptr<const Stage>> {
+         .make = [](const Arguments& a) -> StageResult {
              const bool ellipse = a.choice("shape") == "ellipse";
              if (!is_inside(a.pair("offset"), a.pair("frame"), ellipse)) {
                  return error("the centre of the repetition is not inside the frame", {},

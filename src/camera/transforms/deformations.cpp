@@ -126,14 +126,14 @@ Diagnostics unfit(const Arguments& a) {
 
 /// A Concrete(stretch, amount).
 template <class Concrete>
-Result<std::shared_ptr<const Stage>> deformation(const Arguments& a, std::string_view amount) {
+StageResult deformation(const Arguments& a, std::string_view amount) {
     if (Diagnostics diagnostics = unfit(a); !diagnostics.empty()) {
         return diagnostics;
     }
     return made<Concrete>(stretch_of(a), a.number(amount));
 }
 
-Result<std::shared_ptr<const Stage>> bend(const Arguments& a) {
+StageResult bend(const Arguments& a) {
     if (Diagnostics diagnostics = unfit(a); !diagnostics.empty()) {
         return diagnostics;
     }
@@ -164,10 +164,8 @@ std::vector<StageParameter> deformation_parameters(std::vector<StageParameter> o
 }  // namespace
 
 std::vector<StageEntry> deformations() {
-    const StageKind kind = StageKind::object_transformer;
     return {
-        {.kind = kind,
-         .name = "twist",
+        {.name = "twist",
          .meaning = "rotates about an axis, by an angle that increases along it",
          .formula = R"(
 p′ = p, rotated about the line at + λ n by τ angle
@@ -183,8 +181,7 @@ h = n·d,   d = p − at,   n = axis/|axis|
     eye  plane
     move twist(z, 120deg)
 })"},
-        {.kind = kind,
-         .name = "taper",
+        {.name = "taper",
          .meaning = "scales perpendicular to an axis, by a factor that changes along it",
          .formula = R"(
 p′ = at + h n + (1 + (factor − 1) τ) (d − h n)
@@ -199,8 +196,7 @@ h = n·d,   d = p − at,   n = axis/|axis|
     eye  cylinder(1)
     move taper(z, 0.3)
 })"},
-        {.kind = kind,
-         .name = "bend",
+        {.name = "bend",
          .meaning = "bends an axis and its surroundings into an arc",
          .formula = R"(
 p′ = p + (h′ − h) n + (m′ − m) e

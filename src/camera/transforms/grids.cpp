@@ -150,14 +150,13 @@ StageParameter count_parameter(std::string_view name, std::string_view meaning) 
 
 /// The parameters after the points, their counts and their box.
 void add_common_parameters(std::vector<StageParameter>& own) {
-    own.push_back({.name = "given",
-                   .type = ChoiceParameter{.choices = {"offsets", "positions"}},
-                   .meaning = "whether the points are offsets from the regular lattice or the "
-                              "new positions of its points"});
-    own.push_back({.name = "basis",
-                   .type = ChoiceParameter{.choices = {"b_spline", "interpolating", "bernstein"}},
-                   .meaning = "approximates the points, interpolates them, or is one polynomial of "
-                              "at most 8 points along an axis"});
+    own.push_back(choice_parameter("given", {"offsets", "positions"},
+                                   "whether the points are offsets from the regular lattice or the "
+                                   "new positions of its points"));
+    own.push_back(
+        choice_parameter("basis", {"b_spline", "interpolating", "bernstein"},
+                         "approximates the points, interpolates them, or is one polynomial of "
+                         "at most 8 points along an axis"));
     own.push_back(amount_parameter());
 }
 
@@ -219,7 +218,7 @@ B   b_spline: uniform cubic B-splines; the point beyond a border is
 Outside its box, a point takes the offset of the nearest point of the box.
 )",
          .parameters = parameter_grid_parameters(),
-         .make = [](const Arguments& a) -> Result<std::shared_ptr<const Stage>> {
+         .make = [](const Arguments& a) -> StageResult {
              auto offsets = offsets_of(a, a.pair("from"), a.pair("to"), {"columns", "rows"});
              if (!offsets) {
                  return std::move(offsets.diagnostics);
@@ -251,7 +250,7 @@ B   b_spline: uniform cubic B-splines; the point beyond a border is
 Outside its box, a point takes the offset of the nearest point of the box.
 )",
          .parameters = object_grid_parameters(),
-         .make = [](const Arguments& a) -> Result<std::shared_ptr<const Stage>> {
+         .make = [](const Arguments& a) -> StageResult {
              auto offsets =
                  offsets_of(a, a.triple("from"), a.triple("to"), {"columns", "rows", "layers"});
              if (!offsets) {

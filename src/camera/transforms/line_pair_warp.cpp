@@ -76,7 +76,7 @@ struct LineField {
     }
 };
 
-Result<std::shared_ptr<const Stage>> line_pairs(const Arguments& arguments) {
+StageResult line_pairs(const Arguments& arguments) {
     const PointList& points = arguments.points("lines");
     if (points.size() > max_lines) {
         return error(fmt::format("{} pairs of lines are too many", points.size()), {},
@@ -99,8 +99,7 @@ Result<std::shared_ptr<const Stage>> line_pairs(const Arguments& arguments) {
 
 std::vector<StageEntry> line_pair_warp() {
     return {
-        {.kind = StageKind::parameter_transformer,
-         .name = "line_pairs",
+        {.name = "line_pairs",
          .meaning = "field warping: lines in the picture move their surroundings (Beier and Neely)",
          .formula = R"(
 X′ = X + amount Σ w (Y − X) / Σ w      sums over the line pairs

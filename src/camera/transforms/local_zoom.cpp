@@ -4,6 +4,7 @@
 // Parameter transformer, PCS → PCS: the local zoom as an analytic function.
 
 #include "camera/catalogue/families.hpp"
+#include "camera/catalogue/stage_parameters.hpp"
 
 namespace balcony::camera {
 
@@ -39,8 +40,7 @@ private:
 
 std::vector<StageEntry> local_zoom() {
     return {
-        {.kind = StageKind::parameter_transformer,
-         .name = "zoom",
+        {.name = "zoom",
          .meaning =
              "local zoom: magnifies around a point of parameter space and keeps the rest visible",
          .formula = R"(
@@ -58,16 +58,11 @@ It folds over for strength < 32/81, where the slope along a radius,
                                                .range = {.minimum = 0.0, .excludes_minimum = true},
                                                .one_for_both = true},
                          .meaning = "radius of the affected region, in u and v"},
-                        {.name = "strength",
-                         .type =
-                             NumberParameter{.default_value = 2.0,
-                                             .range = {.minimum = 0.0, .excludes_minimum = true}},
-                         .meaning =
-                             "magnification at the centre; the picture folds over below 32/81"}},
-         .make =
-             [](const Arguments& a) {
-                 return made<LocalZoom>(a.pair("at"), a.pair("radius"), a.number("strength"));
-             },
+                        number_parameter(
+                            "strength", 2.0,
+                            "magnification at the centre; the picture folds over below 32/81",
+                            {.minimum = 0.0, .excludes_minimum = true})},
+         .make = maker<LocalZoom>("at", "radius", "strength"),
          .example = R"(
 // Enlarges the centre by a factor of 2.5 and keeps the rest visible.
 camera overview_and_detail {

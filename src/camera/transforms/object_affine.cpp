@@ -100,10 +100,8 @@ Diagnostic null_axis() {
 }  // namespace
 
 std::vector<StageEntry> object_affine() {
-    const StageKind kind = StageKind::object_transformer;
     return {
-        {.kind = kind,
-         .name = "translate",
+        {.name = "translate",
          .meaning = "translates by a vector",
          .formula = R"(
 p′ = p + (X, Y, Z)      X, Y, Z   the parameters x, y and z
@@ -121,8 +119,7 @@ camera moved {
     move translate(2, 0, 1)
 }
 )"},
-        {.kind = kind,
-         .name = "rotate",
+        {.name = "rotate",
          .meaning = "rotates about an axis, counter-clockwise as seen from its tip",
          .formula = R"(
 p′ = at + d cos θ + (n × d) sin θ + (n·d) (1 − cos θ) n
@@ -133,7 +130,7 @@ d = p − at,   n = axis/|axis|,   θ = angle
                          .type = NumberParameter{.unit = Unit::angle},
                          .meaning = "angle of rotation"},
                         center()},
-         .make = [](const Arguments& a) -> Result<std::shared_ptr<const Stage>> {
+         .make = [](const Arguments& a) -> StageResult {
              if (is_null(a.triple("axis"))) {
                  return null_axis();
              }
@@ -148,8 +145,7 @@ camera from_above {
     move rotate(y, 35deg), rotate(z, -30deg)
 }
 )"},
-        {.kind = kind,
-         .name = "scale",
+        {.name = "scale",
          .meaning = "scales about a point",
          .formula = R"(
 p′ = at + factor (p − at)
@@ -172,8 +168,7 @@ camera smaller {
     move scale(1/2)
 }
 )"},
-        {.kind = kind,
-         .name = "stretch",
+        {.name = "stretch",
          .meaning = "scales along each axis about a point",
          .formula = R"(
 p′ = at + (X d₁, Y d₂, Z d₃)      d = p − at
@@ -192,15 +187,14 @@ camera egg {
     move stretch(z = 2)
 }
 )"},
-        {.kind = kind,
-         .name = "mirror",
+        {.name = "mirror",
          .meaning = "reflects in the plane through a point and perpendicular to an axis; a "
                     "surface's front becomes its back",
          .formula = R"(
 p′ = p − 2 (n·(p − at)) n      n = axis/|axis|
 )",
          .parameters = {axis("the plane's normal: x, y, z or a vector"), center()},
-         .make = [](const Arguments& a) -> Result<std::shared_ptr<const Stage>> {
+         .make = [](const Arguments& a) -> StageResult {
              if (is_null(a.triple("axis"))) {
                  return null_axis();
              }
@@ -215,8 +209,7 @@ camera mirrored {
     move   mirror(y)
 }
 )"},
-        {.kind = kind,
-         .name = "affine",
+        {.name = "affine",
          .meaning = "at + x (image of x) + y (image of y) + z (image of z)",
          .formula = R"(
 p′ = at + x X + y Y + z Z      p = (x, y, z)
@@ -227,10 +220,7 @@ X, Y, Z   the parameters x, y and z
               triple_parameter("y", {0.0, 1.0, 0.0}, "the image of (0, 1, 0), before adding `at`"),
               triple_parameter("z", {0.0, 0.0, 1.0}, "the image of (0, 0, 1), before adding `at`"),
               triple_parameter("at", {0.0, 0.0, 0.0}, "the image of (0, 0, 0)")},
-         .make =
-             [](const Arguments& a) {
-                 return made<Affine>(a.triple("x"), a.triple("y"), a.triple("z"), a.triple("at"));
-             },
+         .make = maker<Affine>("x", "y", "z", "at"),
          .example = R"(
 // Parallel rays from a picture plane that leans forwards and to the left, perpendicular to it.
 camera sheared {

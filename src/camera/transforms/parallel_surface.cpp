@@ -32,8 +32,7 @@ private:
 
 std::vector<StageEntry> parallel_surface() {
     return {
-        {.kind = StageKind::object_transformer,
-         .name = "offset",
+        {.name = "offset",
          .meaning = "moves a surface along its normals, which it keeps",
          .formula = R"(
 p′ = p + distance n,   n′ = n
@@ -45,7 +44,7 @@ positive where the surface bends towards n.
                          .type = NumberParameter{},
                          .meaning = "towards the front of the surface; a negative distance is "
                                     "towards its back"}},
-         .make = [](const Arguments& a) { return made<Offset>(a.number("distance")); },
+         .make = maker<Offset>("distance"),
          .example = R"(
 // A bent panel scanned from one unit in front of it, everywhere at right angles.
 camera scan {

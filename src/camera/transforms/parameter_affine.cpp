@@ -90,10 +90,8 @@ StageParameter addend(std::string_view name, std::string_view meaning) {
 }  // namespace
 
 std::vector<StageEntry> parameter_affine() {
-    const StageKind kind = StageKind::parameter_transformer;
     return {
-        {.kind = kind,
-         .name = "translate",
+        {.name = "translate",
          .meaning = "(u + a, v + b)",
          .formula = R"(
 (u′, v′) = (u + a, v + b)      a, b   the parameters u and v
@@ -112,8 +110,7 @@ camera aside {
     toward sphere(1)
 }
 )"},
-        {.kind = kind,
-         .name = "scale",
+        {.name = "scale",
          .meaning = "scales about a point; a factor above 1 shows more of the object",
          .formula = R"(
 u′ = at₁ + factor₁ (u − at₁)
@@ -125,10 +122,7 @@ The range that the picture shows grows by the factors, also the one that
                          .type = PairParameter{.one_for_both = true},
                          .meaning = "factors for u and v"},
                         fixed_parameters()},
-         .make =
-             [](const Arguments& a) {
-                 return made<ParameterScaling>(a.pair("factor"), a.pair("at"));
-             },
+         .make = maker<ParameterScaling>("factor", "at"),
          .example = R"(
 // Shows 1.5 times as much in width and the same in height.
 camera wider {
@@ -138,8 +132,7 @@ camera wider {
     toward sphere(1)
 }
 )"},
-        {.kind = kind,
-         .name = "rotate",
+        {.name = "rotate",
          .meaning = "rotates (u, v) about a point, from u towards v",
          .formula = R"(
 u′ = at₁ + (u − at₁) cos angle − (v − at₂) sin angle
@@ -149,10 +142,7 @@ v′ = at₂ + (u − at₁) sin angle + (v − at₂) cos angle
                          .type = NumberParameter{.unit = Unit::angle},
                          .meaning = "angle of rotation"},
                         fixed_parameters()},
-         .make =
-             [](const Arguments& a) {
-                 return made<ParameterRotation>(a.number("angle"), a.pair("at"));
-             },
+         .make = maker<ParameterRotation>("angle", "at"),
          .example = R"(
 // The picture is tilted, like that of a tilted camera.
 camera askew {
@@ -162,8 +152,7 @@ camera askew {
     toward sphere(1)
 }
 )"},
-        {.kind = kind,
-         .name = "shear",
+        {.name = "shear",
          .meaning = "(u + a v, v + b u)",
          .formula = R"(
 (u′, v′) = (u + a v, v + b u)      a, b   the parameters u and v
@@ -183,8 +172,7 @@ camera leaning {
     toward sphere(1)
 }
 )"},
-        {.kind = kind,
-         .name = "affine",
+        {.name = "affine",
          .meaning = "at + u (image of u) + v (image of v)",
          .formula = R"(
 (u′, v′) = at + u U + v V      U, V   the parameters u and v
@@ -192,10 +180,7 @@ camera leaning {
          .parameters = {pair_parameter("u", {1.0, 0.0}, "the image of (1, 0), before adding `at`"),
                         pair_parameter("v", {0.0, 1.0}, "the image of (0, 1), before adding `at`"),
                         pair_parameter("at", {0.0, 0.0}, "the image of (0, 0)")},
-         .make =
-             [](const Arguments& a) {
-                 return made<ParameterAffineMap>(a.pair("u"), a.pair("v"), a.pair("at"));
-             },
+         .make = maker<ParameterAffineMap>("u", "v", "at"),
          .example = R"(
 // Any affine map of the angles: here rotation, scaling and translation at once.
 camera any_affine {

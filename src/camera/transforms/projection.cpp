@@ -38,7 +38,7 @@ private:
     Which which_;
 };
 
-Result<std::shared_ptr<const Stage>> make_projection(const Arguments& a) {
+StageResult make_projection(const Arguments& a) {
     std::shared_ptr<const RayTarget> target = a.stage<ObjectGenerator>("onto")->ray_target();
     if (!target) {
         return error("'project' cannot follow rays to this surface", {},
@@ -53,8 +53,7 @@ Result<std::shared_ptr<const Stage>> make_projection(const Arguments& a) {
 
 std::vector<StageEntry> projection() {
     return {
-        {.kind = StageKind::object_transformer,
-         .name = "project",
+        {.name = "project",
          .meaning = "projects from a point onto a surface, as a projector throws a slide",
          .formula = R"(
 p′ = from + s (p − from)
@@ -71,10 +70,10 @@ no ray where there is none
                    "the surface: plane, sphere, cylinder, wall, folded_screen or mesh; planes, "
                    "spheres and cylinders are whole, folded screens have any height"},
               triple_parameter("at", {0.0, 0.0, 0.0}, "moves the surface to this point"),
-              {.name = "hit",
-               .type = ChoiceParameter{.choices = {"first", "last"}},
-               .meaning = "the point of a surface that a ray meets twice, such as the far side of "
-                          "a cylinder"}},
+              choice_parameter(
+                  "hit", {"first", "last"},
+                  "the point of a surface that a ray meets twice, such as the far side of "
+                  "a cylinder")},
          .make = make_projection,
          .example = R"(
 // A slide from a projector behind the seat, thrown into the corner of a folded screen.

@@ -74,7 +74,7 @@ public:
 };
 
 template <class Concrete, class Port>
-Result<std::shared_ptr<const Stage>> make_repeat(const Arguments& a) {
+StageResult make_repeat(const Arguments& a) {
     auto repeat = std::make_shared<const Concrete>(a.count("times"), a.stages<Port>("stages"));
     if (const std::size_t applied = repeat->applied(); applied > max_applied) {
         return error(fmt::format("nested repeats apply {} stages", applied), {},

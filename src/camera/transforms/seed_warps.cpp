@@ -163,7 +163,7 @@ Diagnostics twins(const PointList& points) {
 }
 
 template <template <class> class Target>
-Result<std::shared_ptr<const Stage>> thin_plate(const Arguments& a) {
+StageResult thin_plate(const Arguments& a) {
     const PointList& points = a.points("seeds");
     if (Diagnostics diagnostics = too_many(points); !diagnostics.empty()) {
         return diagnostics;
@@ -185,7 +185,7 @@ Result<std::shared_ptr<const Stage>> thin_plate(const Arguments& a) {
 }
 
 template <template <class> class Target>
-Result<std::shared_ptr<const Stage>> inverse_distance(const Arguments& a) {
+StageResult inverse_distance(const Arguments& a) {
     const PointList& points = a.points("seeds");
     if (Diagnostics diagnostics = too_many(points); !diagnostics.empty()) {
         return diagnostics;

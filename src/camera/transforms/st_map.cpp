@@ -30,7 +30,7 @@ private:
     Pair from_, to_;
 };
 
-Result<std::shared_ptr<const Stage>> make_st_map(const Arguments& a) {
+StageResult make_st_map(const Arguments& a) {
     const Pair from = a.pair("from");
     const Pair to = a.pair("to");
     for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -46,8 +46,7 @@ Result<std::shared_ptr<const Stage>> make_st_map(const Arguments& a) {
 
 std::vector<StageEntry> st_maps() {
     return {
-        {.kind = StageKind::parameter_transformer,
-         .name = "stmap",
+        {.name = "stmap",
          .meaning = "an STMap, such as the distortion of a lens: an image whose red and green are "
                     "the position to take",
          .formula = R"(
