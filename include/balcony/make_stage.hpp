@@ -107,51 +107,32 @@ struct Binding {
 [[nodiscard]] StageResult make_stage(const StageEntry& row, std::span<const NamedValue> values);
 
 /// The same by the stage's kind and name, of which an unknown one is an error.
-[[nodiscard]] Result<std::shared_ptr<const Stage>> make_stage(
-    StageKind kind, std::string_view name, std::initializer_list<NamedValue> values = {},
-    const Catalogue& known = catalogue());
+[[nodiscard]] StageResult make_stage(StageKind kind, std::string_view name,
+                                     std::initializer_list<NamedValue> values = {},
+                                     const Catalogue& known = catalogue());
+
+/// The port of each kind.
+template <class... Ports>
+struct PortsByKind {
+    template <class Port>
+    [[nodiscard]] static consteval StageKind kind_of() {
+        static_assert((std::same_as<Port, Ports> || ...));
+        std::uint8_t kind = 0;
+        (void)((std::same_as<Port, Ports> || (++kind, false)) || ...);
+        return static_cast<StageKind>(kind);
+    }
+    [[nodiscard]] static bool fits(const Stage& stage, StageKind kind) {
+        return ((kind == kind_of<Ports>() && dynamic_cast<const Ports*>(&stage) != nullptr) || ...);
+    }
+};
+/// In the order of StageKind.
+using StagePorts =
+    PortsByKind<PictureArranger, PictureMapper, ParameterTransformer, ObjectGenerator,
+                ObjectTransformer, DirectionRule, StereoView, Lens, FocusSurface, ClipShape>;
 
 template <class Port>
-consteval StageKind kind_of() = delete;
-template <>
-consteval StageKind kind_of<PictureArranger>() {
-    return StageKind::picture_arranger;
-}
-template <>
-consteval StageKind kind_of<PictureMapper>() {
-    return StageKind::picture_mapper;
-}
-template <>
-consteval StageKind kind_of<ParameterTransformer>() {
-    return StageKind::parameter_transformer;
-}
-template <>
-consteval StageKind kind_of<ObjectGenerator>() {
-    return StageKind::object_generator;
-}
-template <>
-consteval StageKind kind_of<ObjectTransformer>() {
-    return StageKind::object_transformer;
-}
-template <>
-consteval StageKind kind_of<DirectionRule>() {
-    return StageKind::direction_rule;
-}
-template <>
-consteval StageKind kind_of<StereoView>() {
-    return StageKind::stereo_view;
-}
-template <>
-consteval StageKind kind_of<Lens>() {
-    return StageKind::lens;
-}
-template <>
-consteval StageKind kind_of<FocusSurface>() {
-    return StageKind::focus;
-}
-template <>
-consteval StageKind kind_of<ClipShape>() {
-    return StageKind::clip_shape;
+consteval StageKind kind_of() {
+    return StagePorts::kind_of<Port>();
 }
 
 /// The same as a stage of its port.

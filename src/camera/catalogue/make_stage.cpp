@@ -13,25 +13,7 @@ std::string with_article(std::string_view noun) {
     return fmt::format("{} {}", noun.starts_with('o') ? "an" : "a", noun);
 }
 
-bool is_of_kind(const Stage& stage, StageKind kind) {
-    const auto fits = [&stage]<class Port>(std::type_identity<Port>) {
-        return dynamic_cast<const Port*>(&stage) != nullptr;
-    };
-    switch (kind) {
-        case StageKind::picture_arranger: return fits(std::type_identity<PictureArranger>());
-        case StageKind::picture_mapper: return fits(std::type_identity<PictureMapper>());
-        case StageKind::parameter_transformer:
-            return fits(std::type_identity<ParameterTransformer>());
-        case StageKind::object_generator: return fits(std::type_identity<ObjectGenerator>());
-        case StageKind::object_transformer: return fits(std::type_identity<ObjectTransformer>());
-        case StageKind::direction_rule: return fits(std::type_identity<DirectionRule>());
-        case StageKind::stereo_view: return fits(std::type_identity<StereoView>());
-        case StageKind::lens: return fits(std::type_identity<Lens>());
-        case StageKind::focus: return fits(std::type_identity<FocusSurface>());
-        case StageKind::clip_shape: return fits(std::type_identity<ClipShape>());
-    }
-    return false;
-}
+bool is_of_kind(const Stage& stage, StageKind kind) { return StagePorts::fits(stage, kind); }
 
 StageResult make_stage(const StageEntry& row, const Arguments& arguments) {
     try {
