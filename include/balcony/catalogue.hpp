@@ -271,11 +271,11 @@ public:
         return cast;
     }
     [[nodiscard]] const Formula& formula(std::string_view name) const;
-    [[nodiscard]] const std::shared_ptr<const GreyImage>& image(std::string_view name) const;
-    [[nodiscard]] const std::shared_ptr<const TexturedMesh>& mesh(std::string_view name) const;
-    [[nodiscard]] const PixelMap& map(std::string_view name) const;
-    [[nodiscard]] const std::shared_ptr<const CalibrationFile>& calibration(
-        std::string_view name) const;
+    /// A GreyImage, a TexturedMesh, a PixelMap or a CalibrationFile.
+    template <class Data>
+    [[nodiscard]] const std::shared_ptr<const Data>& file(std::string_view name) const {
+        return std::get<std::shared_ptr<const Data>>(value(name));
+    }
     /// The formula of a stage that is itself a formula.
     [[nodiscard]] const Formula& formula() const { return *formula_; }
 

@@ -259,7 +259,7 @@ TEST(StageArguments, ImagesAndMeshesAreFiles) {
         {.name = "file", .type = MeshParameter{}, .meaning = "its use"}};
     const Read vase = read(row, "stage(\"vase.obj\")");
     ASSERT_TRUE(vase.arguments) << to_text(vase.said);
-    EXPECT_GT(vase.arguments->mesh("file")->triangles.size(), 1000U);
+    EXPECT_GT(vase.arguments->file<camera::TexturedMesh>("file")->triangles.size(), 1000U);
     EXPECT_EQ(refused(row, "stage(vase)"),
               "'file' of 'stage' takes a mesh; write a file name in quotation marks, for example "
               "\"vase.obj\"");
@@ -278,7 +278,8 @@ TEST(StageArguments, OfOneFileAreReadOnce) {
         {.name = "other", .type = MeshParameter{}, .meaning = "its use"}};
     const Read made = read(row, "stage(\"vase.obj\", \"vase.obj\")");
     ASSERT_TRUE(made.arguments) << to_text(made.said);
-    EXPECT_EQ(made.arguments->mesh("one"), made.arguments->mesh("other"));
+    EXPECT_EQ(made.arguments->file<camera::TexturedMesh>("one"),
+              made.arguments->file<camera::TexturedMesh>("other"));
 }
 
 TEST(StageArguments, AStageTakesAStageOfItsKind) {

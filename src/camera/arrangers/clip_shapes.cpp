@@ -422,8 +422,8 @@ g   the grey value of the image, bilinear between the centres of its pixels
                                                     "whether black is visible instead of white")},
                     .make =
                         [](const Arguments& a) {
-                            return made<ImageMask>(
-                                grey_table(*a.image("file"), a.choice("invert") == "yes"));
+                            return made<ImageMask>(grey_table(*a.file<GreyImage>("file"),
+                                                              a.choice("invert") == "yes"));
                         },
                     .example = image_example});
     return rows;

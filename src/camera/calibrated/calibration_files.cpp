@@ -128,8 +128,8 @@ Result<const Calibration*> chosen(const CalibrationFile& file, std::optional<std
                  suggestion("", known, "its cameras are"));
 }
 
-Result<std::shared_ptr<const Stage>> make_opencv(const Arguments& a) {
-    const CalibrationFile& file = *a.calibration("file");
+StageResult make_opencv(const Arguments& a) {
+    const CalibrationFile& file = *a.file<CalibrationFile>("file");
     const Result<const Calibration*> calibration = chosen(file, std::nullopt);
     if (!calibration) {
         return calibration.diagnostics;
@@ -146,8 +146,8 @@ Result<std::shared_ptr<const Stage>> make_opencv(const Arguments& a) {
     return make_from_file(a, file.name, **calibration, given.empty() ? "opencv_pinhole" : given);
 }
 
-Result<std::shared_ptr<const Stage>> make_colmap(const Arguments& a) {
-    const CalibrationFile& file = *a.calibration("file");
+StageResult make_colmap(const Arguments& a) {
+    const CalibrationFile& file = *a.file<CalibrationFile>("file");
     const Result<const Calibration*> calibration =
         chosen(file, a.has("camera") ? std::optional(a.count("camera")) : std::nullopt);
     if (!calibration) {

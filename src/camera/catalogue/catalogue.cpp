@@ -310,20 +310,4 @@ const Formula& Arguments::formula(std::string_view name) const {
     return std::get<Formula>(value(name));
 }
 
-const std::shared_ptr<const GreyImage>& Arguments::image(std::string_view name) const {
-    return std::get<std::shared_ptr<const GreyImage>>(value(name));
-}
-
-const std::shared_ptr<const TexturedMesh>& Arguments::mesh(std::string_view name) const {
-    return std::get<std::shared_ptr<const TexturedMesh>>(value(name));
-}
-
-const PixelMap& Arguments::map(std::string_view name) const {
-    return *std::get<std::shared_ptr<const PixelMap>>(value(name));
-}
-
-const std::shared_ptr<const CalibrationFile>& Arguments::calibration(std::string_view name) const {
-    return std::get<std::shared_ptr<const CalibrationFile>>(value(name));
-}
-
 }  // namespace balcony::camera

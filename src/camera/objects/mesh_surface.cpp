@@ -345,14 +345,15 @@ bool usable(const Triangle& triangle) {
 
 StageResult make_mesh(const Arguments& a) {
     std::vector<Triangle> triangles;
-    const auto& all = a.mesh("file")->triangles;
+    const auto& all = a.file<TexturedMesh>("file")->triangles;
     std::copy_if(all.begin(), all.end(), std::back_inserter(triangles), usable);
     if (triangles.empty()) {
         return error(
             "no triangle of this mesh has an area both in space and in texture coordinates", {},
             "unwrap the mesh in the modelling program and export it again");
     }
-    return made<MeshSurface>(triangles, a.choice("normals") == "smooth", a.mesh("file"));
+    return made<MeshSurface>(triangles, a.choice("normals") == "smooth",
+                             a.file<TexturedMesh>("file"));
 }
 
 }  // namespace

@@ -26,8 +26,8 @@ private:
     CubicMap points_;
 };
 
-Result<std::shared_ptr<const Stage>> make_ray_map(const Arguments& a) {
-    const PixelMap& rays = a.map("file");
+StageResult make_ray_map(const Arguments& a) {
+    const PixelMap& rays = *a.file<PixelMap>("file");
     const std::string& what = a.choice("points");
     const std::ptrdiff_t first = what == "directions" ? 3 : 0;
     PixelMap points{rays.width,

@@ -39,7 +39,7 @@ StageResult make_st_map(const Arguments& a) {
                          "make from and to differ in both coordinates");
         }
     }
-    return made<StMap>(a.map("file"), from, to);
+    return made<StMap>(*a.file<PixelMap>("file"), from, to);
 }
 
 }  // namespace

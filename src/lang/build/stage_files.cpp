@@ -18,51 +18,6 @@ std::optional<data::File> StageBuilder::file(const Expression& node) {
     return found.value;
 }
 
-StageBuilder::Located StageBuilder::image(ExpressionId given) {
-    return file(
-        given, [this](const data::File& found) -> const auto& {
-            return session_.files().image(found);
-        });
-}
-
-StageBuilder::Located StageBuilder::mesh(ExpressionId given) {
-    return file(
-        given, [this](const data::File& found) -> const auto& {
-            return session_.files().mesh(found);
-        });
-}
-
-StageBuilder::Located StageBuilder::map(camera::MapParameter::Content content, ExpressionId given) {
-    return file(
-        given, [ this, content ](const data::File& found) -> const auto& {
-            return session_.files().map(found, content);
-        });
-}
-
-StageBuilder::Located StageBuilder::calibration(ExpressionId given) {
-    return file(
-        given, [this](const data::File& found) -> const auto& {
-            return session_.files().calibration(found);
-        });
-}
-
-template <class Read>
-StageBuilder::Located StageBuilder::file(ExpressionId given, Read read) {
-    const Expression& node = tree_[given];
-    if (node.kind != ExpressionKind::text) {
-        return unsuitable(given);
-    }
-    Located made{Failed{}, {tree_.at(node.span)}};
-    if (const auto found = file(node)) {
-        const auto& data = read(*found);
-        report(data.diagnostics, node.span);
-        if (data) {
-            made.value = *data;
-        }
-    }
-    return made;
-}
-
 // One point a line; a list of numbers may stand in one line or in several.
 StageBuilder::Located StageBuilder::table(const camera::PointsParameter& type, ExpressionId given) {
     const Expression& node = tree_[given];

@@ -19,6 +19,14 @@ using camera::ArgumentValue;
 using camera::Failed;
 using camera::Unsuitable;
 
+/// The function for the type of a parameter.
+template <class... Functions>
+struct OneOf : Functions... {
+    using Functions::operator()...;
+};
+template <class... Functions>
+OneOf(Functions...) -> OneOf<Functions...>;
+
 bool may_be_stage(const Expression& node) {
     return node.kind == ExpressionKind::name || node.kind == ExpressionKind::call ||
            node.kind == ExpressionKind::formula;
@@ -39,52 +47,31 @@ std::string_view described(const Expression& node) {
 
 StageBuilder::Located StageBuilder::value(const camera::StageParameter& parameter,
                                           std::span<const ExpressionId> given) {
-    struct Reader {
-        StageBuilder& builder;
-        std::string_view name;
-        std::span<const ExpressionId> given;
-
-        Located operator()(const camera::NumberParameter&) const {
-            return builder.number(given.front());
-        }
-        Located operator()(const camera::CountParameter&) const {
-            return builder.number(given.front());
-        }
-        Located operator()(const camera::PairParameter& type) const {
-            return builder.numbers(given.front(), type.one_for_both, false);
-        }
-        Located operator()(const camera::TripleParameter& type) const {
-            return builder.numbers(given.front(), false, type.names_axes);
-        }
-        Located operator()(const camera::ChoiceParameter&) const {
-            return builder.word(given.front());
-        }
-        Located operator()(const camera::PointsParameter& type) const {
-            return builder.points(type, given.front());
-        }
-        Located operator()(const camera::NestedStageParameter& type) const {
-            return builder.stages(type, given);
-        }
-        Located operator()(const camera::FormulaParameter& type) const {
-            return builder.formula(name, type.shape, builder.tree_[given.front()]);
-        }
-        Located operator()(const camera::NameParameter&) const {
-            return builder.quoted(given.front());
-        }
-        Located operator()(const camera::ImageParameter&) const {
-            return builder.image(given.front());
-        }
-        Located operator()(const camera::MeshParameter&) const {
-            return builder.mesh(given.front());
-        }
-        Located operator()(const camera::MapParameter& type) const {
-            return builder.map(type.content, given.front());
-        }
-        Located operator()(const camera::CalibrationParameter&) const {
-            return builder.calibration(given.front());
-        }
+    const ExpressionId first = given.front();
+    const OneOf reader{
+        [&](const camera::NumberParameter&) { return number(first); },
+        [&](const camera::CountParameter&) { return number(first); },
+        [&](const camera::PairParameter& type) { return numbers(first, type.one_for_both, false); },
+        [&](const camera::TripleParameter& type) { return numbers(first, false, type.names_axes); },
+        [&](const camera::ChoiceParameter&) { return word(first); },
+        [&](const camera::PointsParameter& type) { return points(type, first); },
+        [&](const camera::NestedStageParameter& type) { return stages(type, given); },
+        [&](const camera::FormulaParameter& type) {
+            return formula(parameter.name, type.shape, tree_[first]);
+        },
+        [&](const camera::NameParameter&) { return quoted(first); },
+        [&](const camera::ImageParameter&) { return contents<data::read_grey_image>(first); },
+        [&](const camera::MeshParameter&) { return contents<data::read_mesh>(first); },
+        [&](const camera::MapParameter& type) {
+            return type.content == camera::MapParameter::Content::rays
+                       ? contents<data::read_ray_map>(first)
+                       : contents<data::read_st_map>(first);
+        },
+        [&](const camera::CalibrationParameter&) {
+            return contents<data::read_calibration>(first);
+        },
     };
-    return std::visit(Reader{*this, parameter.name, given}, parameter.type);
+    return std::visit(reader, parameter.type);
 }
 
 StageBuilder::Located StageBuilder::unsuitable(ExpressionId given) {

@@ -142,13 +142,24 @@ private:
 
     // --------------------------------------------------------------------------------- files
     Located table(const camera::PointsParameter& type, ExpressionId given);
-    Located image(ExpressionId given);
-    Located mesh(ExpressionId given);
-    Located map(camera::MapParameter::Content content, ExpressionId given);
-    Located calibration(ExpressionId given);
     std::optional<data::File> file(const Expression& node);
-    template <class Read>
-    Located file(ExpressionId given, Read read);
+    /// What a function of data reads from a file.
+    template <auto read>
+    Located contents(ExpressionId given) {
+        const Expression& node = tree_[given];
+        if (node.kind != ExpressionKind::text) {
+            return unsuitable(given);
+        }
+        Located made{camera::Failed{}, {tree_.at(node.span)}};
+        if (const auto found = file(node)) {
+            const auto& data = session_.files().contents<read>(*found);
+            report(data.diagnostics, node.span);
+            if (data) {
+                made.value = *data;
+            }
+        }
+        return made;
+    }
 
     // ------------------------------------------------------------------------------ formulas
     Located formula(std::string_view name, const camera::FormulaShape& shape,

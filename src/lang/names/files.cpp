@@ -10,17 +10,6 @@ namespace balcony::lang {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-template <class Made, class Read>
-const Made& read_once(std::map<std::string, Made>& known, const data::File& file, Read read) {
-    const auto found = known.find(file.name);
-    return found != known.end() ? found->second
-                                : known.emplace(file.name, read(file)).first->second;
-}
-
-}  // namespace
-
 std::shared_ptr<const ParsedFile> Files::parsed(std::shared_ptr<const SourceText> source) const {
     auto made = std::make_shared<ParsedFile>();
     made->tree = parse(std::move(source), *catalogue_, made->found);
@@ -81,30 +70,6 @@ const Result<data::File>& Files::find(std::string_view name,
     const auto known = found_.find(key);
     return known != found_.end() ? known->second
                                  : found_.emplace(key, data::find_file(name, folder)).first->second;
-}
-
-const Result<data::NumberTable>& Files::table(const data::File& file) {
-    return read_once(tables_, file, data::read_table);
-}
-
-const Result<std::shared_ptr<const camera::GreyImage>>& Files::image(const data::File& file) {
-    return read_once(images_, file, data::read_grey_image);
-}
-
-const Result<std::shared_ptr<const camera::TexturedMesh>>& Files::mesh(const data::File& file) {
-    return read_once(meshes_, file, data::read_mesh);
-}
-
-const Result<std::shared_ptr<const camera::PixelMap>>& Files::map(
-    const data::File& file, camera::MapParameter::Content content) {
-    return content == camera::MapParameter::Content::rays
-               ? read_once(ray_maps_, file, data::read_ray_map)
-               : read_once(st_maps_, file, data::read_st_map);
-}
-
-const Result<std::shared_ptr<const camera::CalibrationFile>>& Files::calibration(
-    const data::File& file) {
-    return read_once(calibrations_, file, data::read_calibration);
 }
 
 }  // namespace balcony::lang

@@ -10,6 +10,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "balcony/data.hpp"
@@ -44,22 +45,24 @@ public:
     /// The file that a camera file in a folder names.
     [[nodiscard]] const Result<data::File>& find(
         std::string_view name, const std::optional<std::filesystem::path>& folder);
-    [[nodiscard]] const Result<data::NumberTable>& table(const data::File& file);
-    [[nodiscard]] const Result<std::shared_ptr<const camera::GreyImage>>& image(
-        const data::File& file);
-    [[nodiscard]] const Result<std::shared_ptr<const camera::TexturedMesh>>& mesh(
-        const data::File& file);
-    [[nodiscard]] const Result<std::shared_ptr<const camera::CalibrationFile>>& calibration(
-        const data::File& file);
-
-    [[nodiscard]] const Result<std::shared_ptr<const camera::PixelMap>>& map(
-        const data::File& file, camera::MapParameter::Content content);
+    /// What a function of data reads from a file.
+    template <auto read>
+    [[nodiscard]] const auto& contents(const data::File& file) {
+        auto& known = std::get<ByName<read>>(contents_).files;
+        const auto found = known.find(file.name);
+        return found != known.end() ? found->second
+                                    : known.emplace(file.name, read(file)).first->second;
+    }
 
     /// The files on the disk that were read or looked for.
     [[nodiscard]] const std::set<std::filesystem::path>& paths() const { return paths_; }
 
 private:
     using Folder = std::optional<std::filesystem::path>;
+    template <auto read>
+    struct ByName {
+        std::map<std::string, decltype(read(std::declval<data::File>()))> files;
+    };
 
     std::shared_ptr<const ParsedFile> parsed(std::shared_ptr<const SourceText> source) const;
 
@@ -69,12 +72,10 @@ private:
     std::map<std::string, std::shared_ptr<const ParsedFile>> camera_files_;
     std::map<const SourceText*, std::shared_ptr<const ParsedFile>> texts_;
     std::map<std::pair<std::string, Folder>, Result<data::File>> found_;
-    std::map<std::string, Result<data::NumberTable>> tables_;
-    std::map<std::string, Result<std::shared_ptr<const camera::GreyImage>>> images_;
-    std::map<std::string, Result<std::shared_ptr<const camera::TexturedMesh>>> meshes_;
-    std::map<std::string, Result<std::shared_ptr<const camera::PixelMap>>> ray_maps_;
-    std::map<std::string, Result<std::shared_ptr<const camera::PixelMap>>> st_maps_;
-    std::map<std::string, Result<std::shared_ptr<const camera::CalibrationFile>>> calibrations_;
+    std::tuple<ByName<data::read_table>, ByName<data::read_grey_image>, ByName<data::read_mesh>,
+               ByName<data::read_ray_map>, ByName<data::read_st_map>,
+               ByName<data::read_calibration>>
+        contents_;
 };
 
 }  // namespace balcony::lang

@@ -108,7 +108,7 @@ const data::NumberTable* Session::table(const SyntaxTree& tree, const Identifier
     if (!found) {
         return nullptr;
     }
-    const Result<data::NumberTable>& read = files_.table(*found);
+    const Result<data::NumberTable>& read = files_.contents<data::read_table>(*found);
     reporter_.add(read.diagnostics, named);
     return read ? &*read : nullptr;
 }
