@@ -80,7 +80,12 @@ public:
                              "(int){0}",
                              number_,
                              single_ ? c_array<true> : c_array<false>};
-        std::string text = head() + "\n#include <math.h>\n\n" + parameter_struct();
+        std::string text =
+            comment(
+                {"x to the right and y down from the top left corner, pixel centres at .5. It "
+                 "returns 1 with the",
+                 "ray's origin and its direction of unit length, or 0 where there is no ray."}) +
+            "\n#include <math.h>\n\n" + parameter_struct();
         text += functions(language, made);
         return text + signature() + " {\n" + unused_inputs(made) + definitions(language, made) +
                results(made) + "}\n";
@@ -89,25 +94,6 @@ public:
 private:
     [[nodiscard]] std::string input_text(std::string_view input) const {
         return (parameters_.of_input(input) ? "parameters->" : "") + input_name(input);
-    }
-
-    [[nodiscard]] std::string head() const {
-        std::vector<std::string> lines = opening_lines(source_);
-        lines.insert(
-            lines.end(),
-            {"",
-             fmt::format("{}_ray() gives the ray of a point (x, y) of a picture of width x "
-                         "height pixels at time t:",
-                         name_),
-             "x to the right and y down from the top left corner, pixel centres at .5. It returns "
-             "1 with the",
-             "ray's origin and its direction of unit length, or 0 where there is no ray.",
-             world(formulas_.axes)});
-        if (formulas_.lens) {
-            const std::vector<std::string> more = lens_lines();
-            lines.insert(lines.end(), more.begin(), more.end());
-        }
-        return commented(lines);
     }
 
     [[nodiscard]] std::string parameter_struct() const {

@@ -76,7 +76,12 @@ public:
                               .words = {{"@", name_}}};
         const Listing made = listing(dialect);
         const CLike language{"float", "bool", "", "", "floor", "int({0})", glsl_number, glsl_array};
-        std::string text = head() + "\n#ifdef GL_ES\nprecision highp float;\n#endif\n\n";
+        std::string text =
+            comment({"x to the right and y down from the top left corner, so that x is "
+                     "gl_FragCoord.x and y is height -",
+                     "gl_FragCoord.y. It returns whether there is a ray, with its origin and its "
+                     "direction of unit length."}) +
+            "\n#ifdef GL_ES\nprecision highp float;\n#endif\n\n";
         text += fmt::format("float {}_infinity() {{ return uintBitsToFloat(0x7f800000u); }}\n\n",
                             name_);
         text += functions(language, made);
@@ -85,25 +90,6 @@ public:
     }
 
 private:
-    [[nodiscard]] std::string head() const {
-        std::vector<std::string> lines = opening_lines(source_);
-        lines.insert(lines.end(),
-                     {"",
-                      fmt::format("{}_ray() gives the ray of a point (x, y) of a picture of width "
-                                  "x height pixels at time t:",
-                                  name_),
-                      "x to the right and y down from the top left corner, so that x is "
-                      "gl_FragCoord.x and y is height -",
-                      "gl_FragCoord.y. It returns whether there is a ray, with its origin and its "
-                      "direction of unit length.",
-                      world(formulas_.axes)});
-        if (formulas_.lens) {
-            const std::vector<std::string> more = lens_lines();
-            lines.insert(lines.end(), more.begin(), more.end());
-        }
-        return commented(lines);
-    }
-
     // The values of the parameters as constants; angles are in radians.
     [[nodiscard]] std::string defaults() const {
         std::string text;

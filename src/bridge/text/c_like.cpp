@@ -164,13 +164,6 @@ std::optional<std::size_t> ParameterNames::of_input(std::string_view input) cons
                : std::optional(static_cast<std::size_t>(found - inputs_.begin()));
 }
 
-std::vector<std::string> lens_lines() {
-    return {
-        "The ray passes a point of the lens: lens_x and lens_y are from -1 to 1, (0, 0) is the "
-        "centre,",
-        "and even steps of them spread evenly over the lens."};
-}
-
 std::vector<std::string> opening_lines(const ExportSource& source) {
     std::vector<std::string> lines{
         source.title.empty()

@@ -50,9 +50,6 @@ private:
     std::vector<std::string> inputs_;
 };
 
-/// What functions say about the inputs of a lens.
-[[nodiscard]] std::vector<std::string> lens_lines();
-
 /// What the text of every language says first: which camera it is, and what its author says.
 [[nodiscard]] std::vector<std::string> opening_lines(const ExportSource& source);
 /// One sentence about the axes of the rays.

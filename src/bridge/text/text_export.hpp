@@ -31,6 +31,9 @@ protected:
     /// The formulas in the words of the language.
     [[nodiscard]] Listing listing(const Dialect& dialect, const InputText& input_text);
     [[nodiscard]] Listing listing(const Dialect& dialect);
+    /// The comment before a function that gives the ray of one point, with lines on what its
+    /// arguments and results mean.
+    [[nodiscard]] std::string comment(const std::vector<std::string>& meaning) const;
 
     const ExportSource& source_;
     CameraFormulas formulas_;
