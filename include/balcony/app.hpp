@@ -152,8 +152,8 @@ void hold_look(const Report& first, Request& second);
 /// What is known to be wrong with an output before rendering: its folder, its extension.
 [[nodiscard]] Diagnostics check_output(const std::filesystem::path& output);
 
-/// What is wrong with a request besides its values: a shard that noise or an exposure forbids, a
-/// fit without a camera.
+/// What is wrong with a request: values that are out of range, an error of Kind::internal; a shard
+/// that noise or an exposure forbids, a fit without a camera.
 [[nodiscard]] Diagnostics check_request(const Request& request);
 
 /// A picture of which all shards were joined.

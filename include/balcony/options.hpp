@@ -133,7 +133,10 @@ struct Options {
             if (words == given.end()) {
                 continue;
             }
-            if (std::find(words->second.begin(), words->second.end(), "") != words->second.end()) {
+            if (words->second.empty() || words->second.size() % row.words != 0) {
+                found.push_back(error(Kind::internal, row.name + " has too few words"));
+            } else if (std::find(words->second.begin(), words->second.end(), "") !=
+                       words->second.end()) {
                 found.push_back(refused(row.name, "", "give it a value, or leave it out"));
             } else {
                 row.read(words->second, target, found);

@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "base/precondition.hpp"
+
 namespace balcony::app {
 
 namespace fs = std::filesystem;
@@ -18,6 +20,7 @@ std::pair<std::size_t, std::size_t> SizeRequest::resolve(
     if (!width && !height && own) {
         return {(*own)[0], (*own)[1]};
     }
+    precondition(aspect > 0.0 && std::isfinite(aspect), "an aspect is positive and finite");
     constexpr double default_pixels = 1280.0 * 720.0;
     const auto side = [](double pixels) {
         return static_cast<std::size_t>(
@@ -29,6 +32,7 @@ std::pair<std::size_t, std::size_t> SizeRequest::resolve(
 }
 
 std::pair<std::size_t, std::size_t> Crop::scaled(std::size_t width, std::size_t height) const {
+    precondition(scale > 0.0 && std::isfinite(scale), "a scale is positive and finite");
     const auto side = [this](std::size_t pixels) {
         return static_cast<std::size_t>(
             std::max(1.0, std::round(static_cast<double>(pixels) * scale)));

@@ -14,6 +14,7 @@
 #include "app/animation/turntable.hpp"
 #include "app/picture/finished_picture.hpp"
 #include "app/picture/paused_run.hpp"
+#include "app/request_check.hpp"
 #include "app/words.hpp"
 #include "balcony/animation.hpp"
 #include "balcony/inputs.hpp"
@@ -158,7 +159,8 @@ bool prepare(const AnimationRequest& animation, const Observer& observer,
     const Request& request = animation.picture;
     Loaded& loaded = made.loaded;
     loaded.since = FileWatch::Time::clock::now();
-    if (add(found, check_request(request)) || !load_settings(request, loaded, found)) {
+    if (add(found, check_frames(animation)) || add(found, check_request(request)) ||
+        !load_settings(request, loaded, found)) {
         return false;
     }
     auto picture = load_all(request, loaded, observer, stop, found);

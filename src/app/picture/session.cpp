@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "app/inputs/frame_pictures.hpp"
-#include "app/inputs/placement.hpp"
 #include "app/picture/banded_picture.hpp"
 #include "app/picture/findings.hpp"
 #include "app/picture/paused_run.hpp"
@@ -260,27 +259,6 @@ void hold_look(const Report& first, Request& second) {
     if (!second.settings.ambient && first.ambient != render::Color3f(0.0F)) {
         second.settings.ambient = first.ambient;
     }
-}
-
-Diagnostics check_request(const Request& request) {
-    Diagnostics found;
-    if (request.camera.empty() && !request.set.empty()) {
-        found.push_back(error(Kind::usage, "--set needs a camera whose parameter it sets",
-                              "add --camera FILE"));
-    }
-    if (request.placement.is_demanded() &&
-        (request.camera.empty() || is_of_scene(request.camera))) {
-        found.push_back(error(Kind::usage, "--fit needs a camera of a file, which it places",
-                              "add --camera FILE or the name of a built-in camera"));
-    }
-    add(found, check_placement(request.placement, true));
-    if (request.job.shard && !request.exposure && request.settings.sampling.noise != 0.0) {
-        found.push_back(error(Kind::usage,
-                              "--shard with --noise needs --exposure, as noise is relative to "
-                              "white",
-                              "add --exposure 0, or the one that a quick preview reports"));
-    }
-    return found;
 }
 
 }  // namespace balcony::app

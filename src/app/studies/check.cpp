@@ -11,6 +11,7 @@
 #include <fmt/ranges.h>
 
 #include "app/inputs/placement.hpp"
+#include "app/request_check.hpp"
 #include "app/studies/check_subjects.hpp"
 #include "app/words.hpp"
 #include "balcony/display_file.hpp"
@@ -115,7 +116,8 @@ public:
         : request_(request), observer_(observer), stop_(stop) {}
 
     CheckReport operator()() {
-        Diagnostics usage = check_maps(request_.maps);
+        Diagnostics usage = check_size(request_.size);
+        app::add(usage, check_maps(request_.maps));
         app::add(usage, check_placement(request_.placement, !request_.scene.empty()));
         if (!request_.layer.empty() && request_.files.size() > 1) {
             usage.push_back(error(Kind::usage,

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "app/inputs/placement.hpp"
+#include "app/request_check.hpp"
 #include "app/words.hpp"
 #include "balcony/render.hpp"
 #include "balcony/studies.hpp"
@@ -75,7 +76,8 @@ Result<camera::Picture> picture_in(const Prepared& prepared, const LocateRequest
 }  // namespace
 
 Result<Located> locate(const LocateRequest& request, const std::stop_token& stop) {
-    Diagnostics diagnostics = check_placement(request.placement, !request.scene.empty());
+    Diagnostics diagnostics = check_size(request.size);
+    add(diagnostics, check_placement(request.placement, !request.scene.empty()));
     if (has_errors(diagnostics)) {
         return diagnostics;
     }
