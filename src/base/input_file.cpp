@@ -29,7 +29,25 @@ std::optional<Diagnostic> not_a_file(const fs::path& file, std::string_view name
         return error(fmt::format("{} is a link that leads to no file", name), {},
                      "repair the link, or name the file itself");
     }
+    if (file.string().find("://") != std::string::npos) {
+        return error(fmt::format("{} is an address, not a file", name), {},
+                     "download it first, for example with curl -O, and name the file");
+    }
     return error(fmt::format("there is no file {}", name), {}, "check its name and its folder");
+}
+
+std::optional<Diagnostic> begin_text(std::string_view& text, std::string_view name) {
+    // With a byte order mark, or as its first character, which is one of ASCII, shows.
+    const bool is_utf16 = text.starts_with("\xfe\xff") || text.starts_with("\xff\xfe") ||
+                          (text.size() > 1 && (text[0] == '\0') != (text[1] == '\0'));
+    if (is_utf16) {
+        return error(fmt::format("the text of {} is UTF-16, which is not supported", name), {},
+                     "save it as UTF-8: iconv -f UTF-16 -t UTF-8");
+    }
+    if (text.starts_with("\xef\xbb\xbf")) {
+        text.remove_prefix(3);
+    }
+    return std::nullopt;
 }
 
 std::vector<std::string> names_in(const fs::path& folder) {

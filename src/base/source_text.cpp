@@ -4,14 +4,16 @@
 #include <algorithm>
 
 #include "balcony/base.hpp"
+#include "balcony/input_file.hpp"
 #include "base/utf8.hpp"
 
 namespace balcony {
 
 SourceText::SourceText(std::string name, std::string text)
     : name_(std::move(name)), text_(std::move(text)) {
-    if (text_.starts_with("\xef\xbb\xbf")) {
-        text_.erase(0, 3);
+    std::string_view begun = text_;
+    if (!begin_text(begun, name_)) {
+        text_.erase(0, text_.size() - begun.size());
     }
     line_begins_.push_back(0);
     for (std::size_t i = 0; i < text_.size(); ++i) {

@@ -86,7 +86,7 @@ Result<std::uintmax_t> size_of(const File& file) {
     return failure ? Result<std::uintmax_t>(cannot_read(file)) : Result<std::uintmax_t>(size);
 }
 
-Result<std::string> read_text(const File& file, std::size_t largest) {
+Result<std::string> read_bytes(const File& file, std::size_t largest) {
     const Result<std::uintmax_t> size = size_of(file);
     if (!size) {
         return size.diagnostics;
@@ -105,6 +105,24 @@ Result<std::string> read_text(const File& file, std::size_t largest) {
         return cannot_read(file);
     }
     return text;
+}
+
+Result<std::shared_ptr<const SourceText>> read_text(const File& file, std::size_t largest,
+                                                    std::string_view remedy) {
+    Result<std::string> bytes = read_bytes(file, largest);
+    if (!bytes) {
+        return bytes.diagnostics;
+    }
+    std::string_view text = *bytes;
+    if (std::optional<Diagnostic> fault = begin_text(text, fmt::format("'{}'", file.name))) {
+        return *std::move(fault);
+    }
+    if (const std::size_t zero = text.find('\0'); zero != text.npos) {
+        return error(
+            fmt::format("'{}' is not a text file: its byte {} is zero", file.name, zero + 1), {},
+            std::string(remedy));
+    }
+    return std::make_shared<const SourceText>(file.name, std::move(*bytes));
 }
 
 Diagnostic cannot_read(const File& file) {

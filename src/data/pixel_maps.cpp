@@ -205,7 +205,7 @@ MapResult read_map(const MapForm& form, const File& file) {
     if (file.path.extension() != ".npy") {
         return read_image(form, file);
     }
-    const Result<std::string> bytes = read_text(file, max_map_file);
+    const Result<std::string> bytes = read_bytes(file, max_map_file);
     if (!bytes) {
         return bytes.diagnostics;
     }

@@ -31,11 +31,6 @@ public:
     }
 
     Result<NumberTable> run() {
-        if (const std::size_t zero = text_.find('\0'); zero != text_.npos) {
-            return balcony::error(fmt::format("'{}' is not a text file: its byte {} is zero",
-                                              table_.source->name(), zero + 1),
-                                  {}, "export the table as CSV, plain text in UTF-8");
-        }
         for (std::size_t begin = 0; begin < text_.size() && !stopped();) {
             const std::size_t end = std::min(text_.find_first_of("\n\r", begin), text_.size());
             line(begin, begin + std::min(text_.substr(begin, end - begin).find('#'), end - begin));
@@ -186,11 +181,8 @@ private:
 }  // namespace
 
 Result<NumberTable> read_table(const File& file) {
-    Result<std::string> text = read_text(file, max_table);
-    if (!text) {
-        return text.diagnostics;
-    }
-    return TableReader(std::make_shared<const SourceText>(file.name, std::move(*text))).run();
+    const auto source = read_text(file, max_table, "export the table as CSV, plain text in UTF-8");
+    return source ? TableReader(*source).run() : Result<NumberTable>(source.diagnostics);
 }
 
 }  // namespace balcony::data

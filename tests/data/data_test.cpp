@@ -138,8 +138,8 @@ TEST_F(Data, ATableMayHaveQuotesEmptyRowsAndAnyLineEnds) {
 
 TEST_F(Data, ATableThatIsNoTextIsOneError) {
     using namespace std::string_literals;
-    EXPECT_EQ(table("1\0,\0"s),
-              "error: 'table.csv' is not a text file: its byte 2 is zero\n"
+    EXPECT_EQ(table("1,2\0"s),
+              "error: 'table.csv' is not a text file: its byte 4 is zero\n"
               "  help: export the table as CSV, plain text in UTF-8\n");
 }
 

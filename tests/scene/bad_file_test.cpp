@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <limits>
+#include <string>
+#include <utility>
 
 #include "../laws/scene_laws.hpp"
 #include "scene_files.hpp"
@@ -55,6 +57,39 @@ TEST_F(BadFiles, OtherFormatsNameTheExportThatHelps) {
     EXPECT_NE(advice_for("part.step").find("FreeCAD"), std::string::npos);
     EXPECT_NE(advice_for("scan.las").find("points are not rendered"), std::string::npos);
     EXPECT_NE(advice_for("room.glb.zip").find("extract"), std::string::npos);
+}
+
+// A byte order mark of UTF-8 is no part of the text, and UTF-16 is said to be what it is.
+TEST_F(BadFiles, AllTextsBeginAlike) {
+    const std::string facet =
+        "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+        "vertex 0 1 0\nendloop\nendfacet\n";
+    const std::string corners = "0 0 0\n1 0 0\n0 1 0\n";
+    const std::pair<const char*, std::string> texts[]{
+        {"a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"},
+        {"a.stl", "solid a\n" + facet + "endsolid\n"},
+        {"a.ply",
+         "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+         "property float z\nelement face 1\nproperty list uchar int vertex_indices\n"
+         "end_header\n" +
+             corners + "3 0 1 2\n"},
+        {"a.gltf", R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],)"
+                   R"("meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"accessors":[)"
+                   R"({"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],)"
+                   R"("max":[1,1,0]}],"bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[)"
+                   R"({"byteLength":36,"uri":"data:application/octet-stream;base64,)"
+                   R"(AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})"}};
+    for (const auto& [name, text] : texts) {
+        const auto marked = load(write(name, "\xef\xbb\xbf" + text));
+        ASSERT_TRUE(marked) << name << said(marked);
+        EXPECT_EQ(marked->triangle_count(), 1U) << name;
+        EXPECT_EQ(marked->bounds().max, V3f(1, 1, 0)) << name;
+        std::string wide = "\xff\xfe";
+        for (const char c : text) {
+            wide += std::string{c, '\0'};
+        }
+        EXPECT_TRUE(fails(load(write(name, wide)), std::string(name) + "' is UTF-16")) << name;
+    }
 }
 
 TEST_F(BadFiles, TruncatedGlbReportsBothSizes) {

@@ -123,25 +123,58 @@ void add_image(const ImageEntries& entries, Calibration& calibration) {
     add("cy", entries.cy);
 }
 
+Matrix rotation_of(const std::array<double, 3>& axis) {
+    const double angle = std::hypot(axis[0], axis[1], axis[2]);
+    const double s = angle > 0.0 ? std::sin(angle) / angle : 1.0;
+    const double c = angle > 0.0 ? (1.0 - std::cos(angle)) / (angle * angle) : 0.5;
+    Matrix made{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = 0; j < 3; ++j) {
+            made[i][j] = c * axis[i] * axis[j] + (i == j ? std::cos(angle) : 0.0);
+        }
+        const std::size_t next = (i + 1) % 3;
+        const std::size_t last = (i + 2) % 3;
+        made[i][next] -= s * axis[last];
+        made[i][last] += s * axis[next];
+    }
+    return made;
+}
+
+bool is_rotation(const Matrix& r) {
+    constexpr double rounding = 1e-4;  // of files with five digits
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto& a = r[i];
+        const auto& b = r[(i + 1) % 3];
+        const auto& c = r[(i + 2) % 3];
+        // c = a x b
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double product =
+                a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
+            if (!(std::abs(product - c[k]) < rounding)) {
+                return false;
+            }
+        }
+        if (!(std::abs(a[0] * a[0] + a[1] * a[1] + a[2] * a[2] - 1.0) < rounding)) {
+            return false;
+        }
+    }
+    return true;
+}
+
 Result<std::shared_ptr<const CalibrationFile>> read_calibration(const File& file) {
-    Result<std::string> text = read_text(file, max_calibration);
-    if (!text) {
-        return text.diagnostics;
+    const auto source = read_text(file, max_calibration,
+                                  "export the calibration as YAML, or COLMAP's model as text");
+    if (!source) {
+        return source.diagnostics;
     }
-    const auto source = std::make_shared<const SourceText>(file.name, std::move(*text));
-    const std::string_view all = source->text();
-    if (const std::size_t zero = all.find('\0'); zero != all.npos) {
-        return error(
-            fmt::format("'{}' is not a text file: its byte {} is zero", file.name, zero + 1), {},
-            "export the calibration as YAML, or COLMAP's model as text");
-    }
+    const std::string_view all = (*source)->text();
     if (all.substr(std::min(all.find_first_not_of(" \t\r\n"), all.size())).starts_with('<')) {
-        return error(fmt::format("'{}' is XML, which is not read", file.name), {source, 0, 1},
+        return error(fmt::format("'{}' is XML, which is not read", file.name), {*source, 0, 1},
                      "save the calibration as YAML: OpenCV's FileStorage does it for a file name "
                      "that ends in .yml");
     }
     Result<std::vector<Calibration>> cameras =
-        is_yaml(all) ? read_yaml_calibration(source) : read_colmap_cameras(source);
+        is_yaml(all) ? read_yaml_calibration(*source) : read_colmap_cameras(*source);
     if (!cameras) {
         return std::move(cameras.diagnostics);
     }

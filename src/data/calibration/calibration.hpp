@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -34,6 +35,13 @@ struct ImageEntries {
     EntryNumber fx{}, fy{}, cx{}, cy{};
 };
 void check_image(const ImageEntries& entries, Diagnostics& found);
+
+using Matrix = std::array<std::array<double, 3>, 3>;
+
+/// Rodrigues' formula for an axis whose length is the angle.
+[[nodiscard]] Matrix rotation_of(const std::array<double, 3>& axis);
+/// Whether the rows of a matrix are of length 1, at right angles to each other and right-handed.
+[[nodiscard]] bool is_rotation(const Matrix& r);
 
 /// The numbers of the image's parameters.
 void add_image(const ImageEntries& entries, camera::Calibration& calibration);

@@ -49,3 +49,8 @@ Result<std::shared_ptr<const SourceText>> read_source(const fs::path& file, cons
 }
 
 }  // namespace balcony::lang
+    std::string_view begun = text;
+    if (std::optional<Diagnostic> fault = begin_text(begun, fmt::format("'{}'", name))) {
+        fault->span = asked;
+        return std::move(*fault);
+    }

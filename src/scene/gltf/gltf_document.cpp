@@ -11,6 +11,8 @@
 
 #include <fmt/format.h>
 
+#include "balcony/input_file.hpp"
+
 namespace balcony::scene {
 
 namespace {
@@ -183,19 +185,22 @@ GltfDocument::GltfDocument(Import& import) : import_(import) {
 
 void GltfDocument::parse(Bytes bytes) {
     const std::string name = in_quotes(import_.file.string());
+    std::string_view json(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    if (const std::optional<Diagnostic> fault = begin_text(json, name)) {
+        throw ReadError{*fault};
+    }
     const auto source_text = [&] {
         return std::make_shared<const SourceText>(import_.file.string(),
                                                   std::string(bytes.begin(), bytes.end()));
     };
     try {
-        const std::string text =
-            data_uris_.lift({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+        const std::string text = data_uris_.lift(json);
         import_.begin_phase(0.1, 0.4);
         root_ = Json::parse(Characters(text, 0, import_), Characters(text, text.size(), import_),
                             nullptr, false);
         if (root_.is_discarded()) {
             // For the place of the mistake in the file.
-            root_ = Json::parse(bytes.data(), bytes.data() + bytes.size());
+            root_ = Json::parse(json);
         }
     } catch (const Json::parse_error& failure) {
         const std::size_t end = std::min(failure.byte, bytes.size());

@@ -208,7 +208,7 @@ FaceSet read_obj_faces(Import& import) {
     const std::vector<std::uint8_t> bytes = import.bytes();
     import.begin_phase(text_begins, normals_begin);
     ObjReader reader(import);
-    reader.read(text_of(bytes), import.file.stem().string());
+    reader.read(text_of(bytes, import.file), import.file.stem().string());
     return reader.take();
 }
 

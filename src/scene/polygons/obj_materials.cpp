@@ -63,7 +63,7 @@ void ObjMaterials::read_library(const std::filesystem::path& file) {
     std::string_view text;
     try {
         bytes = import_.bytes_of(file);
-        text = text_of(bytes);
+        text = text_of(bytes, file);
     } catch (const ReadError& fault) {
         import_.warn(fmt::format("material library skipped: {}", fault.diagnostic.message),
                      fault.diagnostic.remedy);

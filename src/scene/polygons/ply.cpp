@@ -315,7 +315,7 @@ FaceSet read_ply_faces(Import& import) {
     const std::vector<std::uint8_t> bytes = import.bytes();
     import.begin_phase(text_begins, normals_begin);
     PlyReader reader(import);
-    reader.read({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    reader.read(text_of(bytes, import.file));
     return reader.take();
 }
 

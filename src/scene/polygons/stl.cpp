@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "balcony/input_file.hpp"
 #include "scene/polygons/face_set.hpp"
 #include "scene/polygons/words.hpp"
 
@@ -40,11 +41,10 @@ public:
     }
 
     void read(Bytes bytes) {
-        const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
         if (is_binary(bytes)) {
             read_binary(bytes);
         } else {
-            read_text(text);
+            read_text(text_of(bytes, import_.file));
         }
         set_.warn_of_skipped(import_);
     }
@@ -54,9 +54,8 @@ public:
 private:
     // The header of a binary file may also begin with "solid", so the size decides.
     static bool is_binary(Bytes bytes) {
-        constexpr std::array<std::uint8_t, 5> solid{'s', 'o', 'l', 'i', 'd'};
-        const bool may_be_text =
-            std::search(bytes.begin(), bytes.end(), solid.begin(), solid.end()) == bytes.begin();
+        std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+        const bool may_be_text = begin_text(text, "").has_value() || text.starts_with("solid");
         return bytes.size() >= header_size &&
                (!may_be_text ||
                 header_size + triangle_size * std::size_t{integer_at(bytes, 80)} == bytes.size());

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "balcony/input_file.hpp"
 #include "scene/import.hpp"
 
 namespace balcony::scene {
@@ -33,17 +34,10 @@ std::string_view take_line(std::string_view& text) {
 
 }  // namespace
 
-std::string_view text_of(std::span<const std::uint8_t> bytes) {
+std::string_view text_of(std::span<const std::uint8_t> bytes, const std::filesystem::path& file) {
     std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    // With a byte order mark, or as its first character, which is one of ASCII, shows.
-    const bool is_utf16 = text.starts_with("\xfe\xff") || text.starts_with("\xff\xfe") ||
-                          (text.size() > 1 && (text[0] == '\0') != (text[1] == '\0'));
-    if (is_utf16) {
-        throw ReadError{error("the text of the file is UTF-16, which is not supported", {},
-                              "save it as UTF-8: iconv -f UTF-16 -t UTF-8")};
-    }
-    if (text.starts_with("\xef\xbb\xbf")) {
-        text.remove_prefix(3);
+    if (const std::optional<Diagnostic> fault = begin_text(text, in_quotes(file.string()))) {
+        throw ReadError{*fault};
     }
     return text;
 }

@@ -18,8 +18,9 @@ struct Statement {
 };
 
 /// The text of a file in UTF-8 or an 8-bit encoding, without a byte order mark. Throws ReadError if
-/// it is UTF-16.
-[[nodiscard]] std::string_view text_of(std::span<const std::uint8_t> bytes);
+/// it is UTF-16, with the name of the file.
+[[nodiscard]] std::string_view text_of(std::span<const std::uint8_t> bytes,
+                                       const std::filesystem::path& file);
 
 /// Removes the next line from a text; a comment gives an empty statement. A backslash at the end of
 /// a line continues it on the next, for which `joined` is the storage.
