@@ -305,4 +305,55 @@ TEST(Calibrations, SurviveMutations) {
     }
 }
 
+TEST(Calibration, KalibrsChainHasACameraEach) {
+    const std::string chain =
+        "cam0:\n  camera_model: pinhole\n  distortion_coeffs: [-0.021, 0.004, -0.0013, 0.0001]\n"
+        "  distortion_model: equidistant\n  intrinsics: [200.5, 200.1, 318.2, 241.7]\n"
+        "  resolution: [640, 480]\n  rostopic: /cam0/image_raw\n"
+        "cam1:\n  T_cn_cnm1:\n  - [0, -1, 0, 0.1]\n  - [1, 0, 0, 0.2]\n  - [0, 0, 1, 0.3]\n"
+        "  - [0, 0, 0, 1]\n  camera_model: omni\n  distortion_coeffs: [0.1, 0.2, 0.3, 0.4]\n"
+        "  distortion_model: radtan\n  intrinsics: [1.5, 300, 301, 320, 240]\n"
+        "  resolution: [640, 480]\n"
+        "cam2:\n  T_cn_cnm1: [[1, 0, 0, 1], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]\n"
+        "  camera_model: pinhole\n  distortion_coeffs: []\n  distortion_model: none\n"
+        "  intrinsics: [200, 200, 320, 240]\n  resolution: [640, 480]\n";
+    EXPECT_EQ(shown(chain),
+              "opencv_fisheye: width 640 height 480 fx 200.5 fy 200.1 cx 318.2 cy 241.7 d -0.021 "
+              "0.004 -0.0013 0.0001");
+    const auto file = read(chain);
+    ASSERT_TRUE(file) << to_text(file.diagnostics);
+    const std::vector<Calibration>& cameras = (*file)->cameras;
+    ASSERT_EQ(cameras.size(), 3U);
+    EXPECT_EQ(cameras[1].id, 1U);
+    EXPECT_EQ(cameras[1].model, "omnidirectional");
+    EXPECT_EQ(cameras[1].numbers.front().value, 1.5);
+    EXPECT_EQ(cameras[1].distortion, (std::vector{0.1, 0.2, 0.3, 0.4}));
+    EXPECT_EQ(cameras[1].pose->translation, (std::array{0.1, 0.2, 0.3}));
+    EXPECT_EQ(cameras[2].pose->translation, (std::array{1.1, 0.2, 0.3}));
+    EXPECT_EQ(cameras[2].pose->rotation[0], (std::array{0.0, -1.0, 0.0}));
+    EXPECT_TRUE(cameras[2].distortion.empty());
+}
+
+TEST(Calibration, MistakesInKalibrsChain) {
+    const std::string camera =
+        "  distortion_coeffs: [0, 0, 0, 0]\n  intrinsics: [200, 200, 320, 240]\n"
+        "  resolution: [640, 480]\n";
+    EXPECT_NE(problem("cam0:\n  camera_model: eucm\n" + camera).find("'eucm' is not read"),
+              std::string::npos);
+    EXPECT_NE(problem("cam0:\n" + camera + "cam1:\n" + camera).find("no T_cn_cnm1"),
+              std::string::npos);
+    EXPECT_NE(problem("cam0:\n  camera_model: omni\n" + camera).find("must have 5 numbers"),
+              std::string::npos);
+}
+
+TEST(Calibration, TheTextMayBeginWithAByteOrderMarkAndIsNotUtf16) {
+    EXPECT_EQ(shown("\xef\xbb\xbf" + opencv_file(good_matrix, "0, 0, 0, 0")),
+              shown(opencv_file(good_matrix, "0, 0, 0, 0")));
+    std::string wide = "\xff\xfe";
+    for (const char c : opencv_file(good_matrix, "0, 0, 0, 0")) {
+        wide += std::string{c, '\0'};
+    }
+    EXPECT_NE(problem(wide).find("'file.yml' is UTF-16"), std::string::npos) << problem(wide);
+}
+
 }  // namespace balcony::data::calibration_test

@@ -110,27 +110,31 @@ StageResult make_from_file(const Arguments& a, const std::string& file, Calibrat
             std::move(made.diagnostics)};
 }
 
-/// The camera of a file that has the given number, or its only camera.
-Result<const Calibration*> chosen(const CalibrationFile& file, std::optional<std::size_t> number) {
+/// The camera of a file that has the number in the arguments, or its only camera; `stage` is for
+/// messages.
+Result<const Calibration*> chosen(const CalibrationFile& file, const Arguments& a,
+                                  std::string_view stage) {
+    const bool is_named = a.has("camera");
+    const std::size_t number = is_named ? a.count("camera") : 0;
     std::vector<std::string> known;
     for (const Calibration& one : file.cameras) {
-        if (one.id == number || (!number && file.cameras.size() == 1)) {
+        if (is_named ? one.id == number : file.cameras.size() == 1) {
             return &one;
         }
         known.push_back(fmt::format("{}", one.id.value_or(0)));
     }
-    if (!number) {
+    if (!is_named) {
         return error(fmt::format("'{}' has {} cameras", file.name, file.cameras.size()), {},
-                     fmt::format("name one by its number: colmap(\"cameras.txt\", camera = {})",
-                                 known.front()));
+                     fmt::format("name one by its number: {}(\"{}\", camera = {})", stage,
+                                 file.name, known.front()));
     }
-    return error(fmt::format("'{}' has no camera {}", file.name, *number), {},
+    return error(fmt::format("'{}' has no camera {}", file.name, number), {},
                  suggestion("", known, "its cameras are"));
 }
 
 StageResult make_opencv(const Arguments& a) {
     const CalibrationFile& file = *a.file<CalibrationFile>("file");
-    const Result<const Calibration*> calibration = chosen(file, std::nullopt);
+    const Result<const Calibration*> calibration = chosen(file, a, "opencv");
     if (!calibration) {
         return calibration.diagnostics;
     }
@@ -148,8 +152,7 @@ StageResult make_opencv(const Arguments& a) {
 
 StageResult make_colmap(const Arguments& a) {
     const CalibrationFile& file = *a.file<CalibrationFile>("file");
-    const Result<const Calibration*> calibration =
-        chosen(file, a.has("camera") ? std::optional(a.count("camera")) : std::nullopt);
+    const Result<const Calibration*> calibration = chosen(file, a, "colmap");
     if (!calibration) {
         return calibration.diagnostics;
     }
@@ -159,6 +162,13 @@ StageResult make_colmap(const Arguments& a) {
 
 StageParameter file_parameter(std::string_view meaning) {
     return {.name = "file", .type = CalibrationParameter{}, .meaning = meaning};
+}
+
+StageParameter camera_parameter() {
+    return {.name = "camera",
+            .type = CountParameter{.range = {.minimum = 0.0, .maximum = 1e6}},
+            .optional = true,
+            .meaning = "the number of the camera in the file; without it, the only one"};
 }
 
 StageParameter size_parameter(std::string_view name, std::string_view meaning) {
@@ -186,7 +196,7 @@ std::vector<StageParameter> placing_parameters() {
 std::vector<StageEntry> calibration_files() {
     return {
         {.name = "opencv",
-         .meaning = "the calibrated camera of a YAML file of OpenCV or ROS",
+         .meaning = "a calibrated camera of a YAML file of OpenCV, ROS or Kalibr",
          .formula = R"(
 that of opencv_pinhole, opencv_fisheye or omnidirectional
 with the numbers of the file
@@ -198,7 +208,7 @@ with the numbers of the file
                          choice_parameter("model", {"file", "pinhole", "fisheye", "omnidir"},
                                           "OpenCV's model: what the file says, or pinhole "
                                           "if it says nothing")} +
-             placing_parameters(),
+             placing_parameters() + std::vector{camera_parameter()},
          .make = make_opencv,
          .dimension = 2,
          .example = R"(
@@ -212,13 +222,8 @@ camera webcam {
 that of the model's own object with the file's numbers
 )",
          .parameters =
-             std::vector{
-                 file_parameter("the file cameras.txt of a model exported as text"),
-                 StageParameter{.name = "camera",
-                                .type = CountParameter{.range = {.minimum = 0.0, .maximum = 1e6}},
-                                .optional = true,
-                                .meaning = "the number of the camera in the file; without "
-                                           "it, the only one"}} +
+             std::vector{file_parameter("the file cameras.txt of a model exported as text"),
+                         camera_parameter()} +
              placing_parameters(),
          .make = make_colmap,
          .dimension = 2,

@@ -1,8 +1,8 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-// Calibrations in YAML: what OpenCV's FileStorage writes, ROS's camera_info, and what scripts write
-// under the names of OpenCV's functions.
+// Calibrations in YAML: what OpenCV's FileStorage writes, ROS's camera_info, Kalibr's camchain, and
+// what scripts write under the names of OpenCV's functions.
 
 #include <algorithm>
 #include <array>
@@ -37,6 +37,10 @@ const Names size_names{"image_size", "resolution", "img_size"};
 const Names xi_names{"xi"};
 const Names model_names{"distortion_model", "camera_model", "model"};
 const Names fisheye_names{"fisheye_model", "fisheye"};
+/// Kalibr has the model beside that of the distortion.
+const Names chain_distortion_names{"distortion_model"};
+const Names chain_model_names{"camera_model"};
+const Names chain_step_names{"T_cn_cnm1"};
 const Names rotation_names{"rotation", "rotation_matrix", "r", "rvec"};
 const Names translation_names{"translation", "translation_vector", "t", "tvec"};
 
@@ -65,7 +69,7 @@ public:
         if (has_errors(found_)) {
             return std::move(found_);
         }
-        return {std::vector{std::move(made_)}, std::move(found_)};
+        return {std::move(all_), std::move(found_)};
     }
 
 private:
@@ -202,15 +206,22 @@ private:
                   "image_width and image_height");
             return;
         }
+        if (const std::vector<Entry> chain = cameras_of_chain(file); !chain.empty()) {
+            read_chain(chain);
+            return;
+        }
         made_.origin = "pixel_center";
-        model(file);
-        image(file);
+        model(file, model_names);
+        mirror(number(file, xi_names));
+        image(file, find(file, matrix_names));
         distortion(file);
         pose(file);
+        all_.push_back(std::move(made_));
     }
 
-    void model(const YAML::Node& file) {
-        if (const auto entry = find(file, model_names); entry && entry->node.IsScalar()) {
+    /// The model that an entry says.
+    void model(const YAML::Node& file, const Names& names) {
+        if (const auto entry = find(file, names); entry && entry->node.IsScalar()) {
             const std::string name = simplified(entry->node.Scalar());
             if (name == "plumbbob" || name == "rationalpolynomial" || name == "radtan") {
                 made_.model = "opencv_pinhole";
@@ -219,7 +230,7 @@ private:
                 made_.model = "opencv_fisheye";
             } else if (name == "omnidir" || name == "mei") {
                 made_.model = "omnidirectional";
-            } else if (name != "pinhole") {
+            } else if (name != "pinhole" && name != "none") {
                 error(at(entry->node),
                       fmt::format("there is no distortion model '{}'", entry->node.Scalar()),
                       "it is plumb_bob, rational_polynomial, equidistant, fisheye or omnidir");
@@ -231,7 +242,11 @@ private:
                 made_.model = "opencv_fisheye";
             }
         }
-        if (const auto xi = number(file, xi_names)) {
+    }
+
+    /// Of a mirror: xi, which says that it is one.
+    void mirror(const std::optional<EntryNumber>& xi) {
+        if (xi) {
             made_.model = "omnidirectional";
             if (!(xi->value >= 0.0)) {
                 error(xi->span, fmt::format("xi must not be negative, but is {:.6g}", xi->value),
@@ -243,12 +258,95 @@ private:
         }
     }
 
+    // ----------------------------------------------------------------------------------- Kalibr
+    /// The entries cam0, cam1, ... of a camchain; none if the file has a camera of its own.
+    std::vector<Entry> cameras_of_chain(const YAML::Node& file) {
+        std::vector<Entry> chain;
+        for (const auto& pair : file) {
+            const std::string name = pair.first.IsScalar() ? pair.first.Scalar() : "";
+            if (name == fmt::format("cam{}", chain.size()) && pair.second.IsMap()) {
+                chain.push_back({name, at(pair.first), pair.second});
+            }
+        }
+        return chain;
+    }
+
+    /// World is the first camera.
+    void read_chain(const std::vector<Entry>& chain) {
+        CameraPose pose{.rotation = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, .translation = {}};
+        for (std::size_t i = 0; i < chain.size() && !has_errors(found_); ++i) {
+            made_ = {};
+            made_.id = i;
+            made_.origin = "pixel_center";
+            const YAML::Node& camera = chain[i].node;
+            model(camera, chain_distortion_names);
+            projection(chain[i]);
+            distortion(camera);
+            if (i > 0) {
+                pose = moved(pose, chain[i]);
+            }
+            made_.pose = pose;
+            all_.push_back(made_);
+        }
+    }
+
+    /// The entries camera_model and intrinsics of a camchain's camera.
+    void projection(const Entry& camera) {
+        const auto kind = find(camera.node, chain_model_names);
+        const std::string name = kind && kind->node.IsScalar() ? kind->node.Scalar() : "pinhole";
+        auto entry = find(camera.node, matrix_names);
+        if (name != "pinhole" && name != "omni") {
+            error(at(kind->node), fmt::format("Kalibr's camera model '{}' is not read", name),
+                  "calibrate with --models pinhole-radtan, pinhole-equi or omni-radtan");
+        } else if (name == "omni" && entry) {
+            const std::vector<EntryNumber> all = numbers(*entry);
+            if (all.size() != 5) {
+                error(entry->place,
+                      fmt::format("'{}' must have 5 numbers, but has {}", entry->name, all.size()),
+                      "they are xi fx fy cx cy");
+                return;
+            }
+            mirror(all.front());
+            entry->node = YAML::Clone(entry->node);
+            entry->node.remove(0);
+        }
+        image(camera.node, entry);
+    }
+
+    /// The pose of the next camera of a chain, whose T_cn_cnm1 leads from the last one to it.
+    CameraPose moved(const CameraPose& last, const Entry& camera) {
+        const auto entry = find(camera.node, chain_step_names);
+        const std::vector<EntryNumber> m = entry ? numbers(*entry) : std::vector<EntryNumber>();
+        if (m.size() != 16) {
+            if (!has_errors(found_)) {
+                error(camera.place, fmt::format("'{}' has no T_cn_cnm1 of 16 numbers", camera.name),
+                      "keep the transformation that Kalibr has written");
+            }
+            return last;
+        }
+        CameraPose made{.rotation = {}, .translation = {}};
+        for (std::size_t i = 0; i < 3; ++i) {
+            made.translation[i] = m[4 * i + 3].value;
+            for (std::size_t k = 0; k < 3; ++k) {
+                made.translation[i] += m[4 * i + k].value * last.translation[k];
+                for (std::size_t j = 0; j < 3; ++j) {
+                    made.rotation[i][j] += m[4 * i + k].value * last.rotation[k][j];
+                }
+            }
+        }
+        if (!is_rotation(made.rotation)) {
+            error(entry->place, fmt::format("'{}' is not a rotation", entry->name),
+                  "its rows must be of length 1, at right angles to each other and right-handed");
+        }
+        return made;
+    }
+
     void missing(std::string_view name, std::string_view remedy) {
         error({source_, 0, 0}, fmt::format("'{}' has no entry {}", source_->name(), name),
               std::string(remedy));
     }
 
-    void image(const YAML::Node& file) {
+    void image(const YAML::Node& file, const std::optional<Entry>& entry) {
         ImageEntries entries{.width = number(file, width_names),
                              .height = number(file, height_names)};
         if (const auto size = find(file, size_names); size && !entries.width && !entries.height) {
@@ -261,7 +359,6 @@ private:
                       "write the width and the height: [1920, 1080]");
             }
         }
-        const std::optional<Entry> entry = find(file, matrix_names);
         if (!entry) {
             missing("camera_matrix",
                     "write camera_matrix: with the numbers fx 0 cx, 0 fy cy, 0 0 1");
@@ -326,7 +423,7 @@ private:
             return;
         }
         const std::vector<EntryNumber> d = numbers(*entry);
-        if (has_errors(found_)) {
+        if (has_errors(found_) || d.empty()) {
             return;
         }
         const bool four = made_.model == "opencv_fisheye" || made_.model == "omnidirectional";
@@ -378,49 +475,9 @@ private:
         made_.pose = made;
     }
 
-    using Matrix = std::array<std::array<double, 3>, 3>;
-
-    /// Rodrigues' formula for an axis whose length is the angle.
-    static Matrix rotation_of(const std::array<double, 3>& axis) {
-        const double angle = std::hypot(axis[0], axis[1], axis[2]);
-        const double s = angle > 0.0 ? std::sin(angle) / angle : 1.0;
-        const double c = angle > 0.0 ? (1.0 - std::cos(angle)) / (angle * angle) : 0.5;
-        Matrix made{};
-        for (std::size_t i = 0; i < 3; ++i) {
-            for (std::size_t j = 0; j < 3; ++j) {
-                made[i][j] = c * axis[i] * axis[j] + (i == j ? std::cos(angle) : 0.0);
-            }
-            const std::size_t next = (i + 1) % 3;
-            const std::size_t last = (i + 2) % 3;
-            made[i][next] -= s * axis[last];
-            made[i][last] += s * axis[next];
-        }
-        return made;
-    }
-
-    static bool is_rotation(const Matrix& r) {
-        constexpr double rounding = 1e-4;  // of files with five digits
-        for (std::size_t i = 0; i < 3; ++i) {
-            const auto& a = r[i];
-            const auto& b = r[(i + 1) % 3];
-            const auto& c = r[(i + 2) % 3];
-            // c = a x b
-            for (std::size_t k = 0; k < 3; ++k) {
-                const double product =
-                    a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
-                if (!(std::abs(product - c[k]) < rounding)) {
-                    return false;
-                }
-            }
-            if (!(std::abs(a[0] * a[0] + a[1] * a[1] + a[2] * a[2] - 1.0) < rounding)) {
-                return false;
-            }
-        }
-        return true;
-    }
-
     std::shared_ptr<const SourceText> source_;
-    Calibration made_;
+    Calibration made_;  ///< The camera that is being read.
+    std::vector<Calibration> all_;
     Diagnostics found_;
 };
 
