@@ -21,7 +21,8 @@ constexpr std::string_view scene_prefix = "scene:";
 CameraArgument split_camera(const std::string& text) {
     const auto colon = text.rfind(':');
     std::error_code ignored;
-    if (colon == std::string::npos || fs::exists(text, ignored)) {
+    const bool is_address = text.find("://") != std::string::npos;
+    if (colon == std::string::npos || is_address || fs::exists(text, ignored)) {
         return {text, "", {}};
     }
     return {text.substr(0, colon), text.substr(colon + 1), {}};

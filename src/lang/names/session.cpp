@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "balcony/input_file.hpp"
 #include "balcony/names.hpp"
 #include "lang/built_in_cameras.hpp"
 #include "lang/names/scene_names.hpp"
@@ -182,6 +183,10 @@ const LocatedDefinition* Session::find(const Module& module, std::string_view na
 }
 
 bool Session::known(const std::string& key, const SourceSpan& asked, Module*& found) {
+    if (!key && name.find("://") != std::string::npos) {
+        reporter_.add(*not_a_file(file, fmt::format("'{}'", name)));
+        return nullptr;
+    }
     const auto circle = std::find_if(opened_.begin(), opened_.end(),
                                      [&key](const Opened& open) { return open.key == key; });
     if (circle != opened_.end()) {
