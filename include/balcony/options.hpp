@@ -58,8 +58,11 @@ struct OptionChoice {
 
 /// What an option is, apart from where its value goes.
 struct OptionInfo {
-    std::string name;           ///< "--samples", or "SCENE" for an argument without hyphens.
-    std::string letter{};       ///< "-s"; empty if it has none.
+    std::string name;      ///< "--samples", or "SCENE" for an argument without hyphens.
+    std::string letter{};  ///< "-s"; empty if it has none.
+    /// What others call it: "--spp"; "--transparent=transparent" for a value, or "--fov=fov={}" for
+    /// one that has the word that follows; "--frame?" is not taken, but answered with this option.
+    std::vector<std::string> others{};
     std::string placeholder{};  ///< What stands for the value in help texts: "COUNT".
     std::string meaning{};      ///< One line, without the default.
     std::string fallback{};     ///< The default as a word; empty if there is none to show.

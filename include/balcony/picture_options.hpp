@@ -58,6 +58,7 @@ template <class Target, class First, class... More>
     return option({.name = "--time",
                    .placeholder = "T",
                    .meaning = "the time in seconds: of the scene's animations, and t in the "
+                   .others = {"--frame?"},
                               "camera's formulas"},
                   number(-largest, largest, "give a number", "s"), first, more...);
 }
@@ -68,6 +69,7 @@ template <class Target>
     return words({.name = "--set",
                   .placeholder = "NAME=VALUE",
                   .meaning = "value of a parameter of the camera or picture; may be repeated",
+                  .others = {"--fov=fov={}", "--param"},
                   .type = OptionType::setting},
                  set);
 }

@@ -38,8 +38,8 @@ void open_closed_streams() {
     }
 }
 
-void describe(CLI::App& app) {
-    app.formatter(cli::help_layout());
+void describe(CLI::App& app, bool whole_help) {
+    app.formatter(cli::help_layout(whole_help));
     app.set_help_flag("-h,--help", "show this help and exit");
     app.set_version_flag("-v,-V,--version", "balcony " BALCONY_VERSION,
                          "show the version and exit");
@@ -56,15 +56,25 @@ void describe(CLI::App& app) {
         "...), 130 interrupted (the partial picture is saved).");
 }
 
-// CLI11 expects the words in reverse order.
-std::vector<std::string> words_from_the_last(int argc, char** argv) {
-    std::vector<std::string> words =
-        cli::command_words(std::vector<std::string>(argv + 1, argv + argc));
-    std::reverse(words.begin(), words.end());
-    return words;
+// The words in the form that the options parse. CLI11 expects them in reverse order.
+balcony::Result<std::vector<std::string>> words_from_the_last(const CLI::App& app,
+                                                              std::vector<std::string> words) {
+    const std::vector<const CLI::App*> commands =
+        app.get_subcommands([&words](const CLI::App* one) {
+            return !words.empty() && one->get_name() == words.front();
+        });
+    const auto* command =
+        commands.empty() ? nullptr : dynamic_cast<const cli::Command*>(commands.front());
+    balcony::Result<std::vector<std::string>> own =
+        command != nullptr ? command->in_own_words(words)
+                           : balcony::Result<std::vector<std::string>>(std::move(words));
+    if (own) {
+        std::reverse(own->begin(), own->end());
+    }
+    return own;
 }
 
-ExitCode run(CLI::App& app, int argc, char** argv) {
+ExitCode run(CLI::App& app, const std::vector<std::string>& line, int argc, char** argv) {
     ExitCode code = ExitCode::done;
     cli::add_render_command(app, code);
     cli::add_animate_command(app, code);
@@ -100,8 +110,12 @@ ExitCode run(CLI::App& app, int argc, char** argv) {
     if (std::string_view(argv[1]) == "manual" && words.size() == 1) {
         return cli::give({cli::write_manual(app, words.front())}, {});
     }
+    auto from_the_last = words_from_the_last(app, line);
+    if (!from_the_last) {
+        return refused(from_the_last.diagnostics.front());
+    }
     try {
-        app.parse(words_from_the_last(argc, argv));
+        app.parse(*from_the_last);
     } catch (const CLI::CallForHelp&) {
         const std::vector<std::string> unknown = app.remaining();
         if (app.get_subcommands().empty() && !unknown.empty()) {
@@ -136,8 +150,11 @@ int main(int argc, char** argv) {
         "Balcony renders 3D scenes through extended cameras. A camera is any function\n"
         "from a point of the picture to a ray, described in a .cam file.",
         "balcony"};
-    describe(app);
-    ExitCode code = run(app, argc, argv);
+    bool whole_help = false;
+    const std::vector<std::string> line =
+        cli::command_words(std::vector<std::string>(argv + 1, argv + argc), whole_help);
+    describe(app, whole_help);
+    ExitCode code = run(app, line, argc, argv);
     // A command that has failed in its environment has said so.
     if (!cli::finish_output() && code != ExitCode::environment) {
         const balcony::Diagnostics failed{

@@ -37,6 +37,19 @@ class Help(support.CommandTest):
         self.assertEqual(self.run_command("help", "render"), self.run_command("render", "--help"))
         self.assertEqual(self.run_command("help", "zoom"), self.run_command("list", "zoom"))
 
+    def test_of_many_options_begins_with_those_that_are_used_most(self):
+        for command in ("render", "animate"):
+            text, _ = self.run_command(command, "--help")
+            self.assertLessEqual(len(text.splitlines()), 100)
+            self.assertIn("--help all shows all options", text)
+            self.assertNotIn("--no-dither", text)
+            for words in ((command, "--help", "all"), (command, "-h", "all"),
+                          ("help", command, "all")):
+                whole, _ = self.run_command(*words)
+                self.assertIn("\nMore options:\n", whole)
+                self.assertIn("  --no-dither ", whole)
+        self.assertEqual(self.run_command("info", "--help"), self.run_command("info", "--help", "all"))
+
     def test_version_by_one_letter(self):
         self.assertEqual(self.run_command("-V"), self.run_command("--version"))
 
@@ -78,7 +91,10 @@ class WrongUsage(support.CommandTest):
                              (("locate", "panorama", "--point", "1", "2", "3"), "--point X,Y,Z"),
                              (("draw", "panorama", "-o", "a.svg", "b.svg"), "--output b.svg"),
                              (("scene.obj",), "balcony render scene.obj"),
-                             (("my.cam",), "balcony check my.cam")):
+                             (("my.cam",), "balcony check my.cam"),
+                             (("render", "scene.obj", "--denoise", "1"), "--denoise without a value"),
+                             (("info", "scene.obj", "--objects", "true"),
+                              "--objects without a value")):
             self.refused(*words, code=2, says="", helps=helps)
 
     def test_a_camera_in_the_place_of_a_scene(self):
@@ -98,6 +114,59 @@ class WrongUsage(support.CommandTest):
         self.assertEqual((facts["width"], facts["height"], facts["passes"]), (4, 2, 2))
         self.assertIn("a.png", self.files())
 
+    def test_options_as_others_call_them(self):
+        words = ("render", "scene.obj", "--resolution", "6x4", "--spp=2", "--draft", "--out", "a.png",
+                 "--transparent", "-c", "pinhole", "--fov", "40deg")
+        facts = self.json_of(*words)
+        self.assertEqual((facts["width"], facts["height"], facts["passes"]), (6, 4, 2))
+        same = self.json_of("render", "scene.obj", "--size", "6x4", "-s", "2", "--integrator", "preview",
+                            "-o", "b.png", "--background", "transparent", "-c", "pinhole", "--set",
+                            "fov=40deg")
+        self.assertEqual((self.folder / "a.png").read_bytes(), (self.folder / "b.png").read_bytes())
+        self.assertEqual(same["passes"], 2)
+        self.refused("render", "scene.obj", "--frame", "3", code=2, says="no option '--frame'",
+                     helps="did you mean '--time'")
+        self.refused("render", "scene.obj", "--hdri", "no.hdr", code=1, says="no.hdr")
+
+    def test_two_words_for_a_size(self):
+        facts = self.json_of("render", "scene.obj", "--size", "6", "4", "-s", "1", "-o", "a.png")
+        self.assertEqual((facts["width"], facts["height"]), (6, 4))
+
+    def test_what_an_option_names_is_given_once(self):
+        self.refused("render", "scene.obj", "-c", "panorama", "-c", "pinhole", code=2,
+                     says="--camera is given twice: 'panorama' and 'pinhole'")
+        self.refused("render", "scene.obj", "-o", "a.png", "--output", "b.png", code=2,
+                     says="--output is given twice")
+        self.assertNotIn("a.png", self.files())
+
+    def test_films_are_no_pictures(self):
+        for name in ("y.avi", "y.mp4", "Y.GIF"):
+            self.refused("render", "scene.obj", "-o", name, code=2, says=f"'{name}' is a film",
+                         helps="balcony animate")
+        self.refused("animate", "scene.obj", "--frames", "1-2", "-o", "y.avi", code=2,
+                     says="'y.avi' are not written", helps=".mp4")
+
+    def test_what_is_no_camera_file(self):
+        (self.folder / "fish.yml").write_text("camera_matrix: [1, 1, 1, 1]\n")
+        (self.folder / "large.glb").write_bytes(b"glTF" + bytes(2_000_000))
+        (self.folder / "photo.png").write_bytes(b"\x89PNG")
+        for words in (("check",), ("render", "scene.obj", "-c")):
+            self.refused(*words, "scene.obj", code=1, says="'scene.obj' is a scene",
+                         helps="balcony info scene.obj")
+            self.refused(*words, "large.glb", code=1, says="'large.glb' is a scene")
+            self.refused(*words, "photo.png", code=1, says="'photo.png' is a picture")
+            self.refused(*words, "fish.yml", code=1, says="'fish.yml' is a calibration",
+                         helps='camera fish { eye opencv("fish.yml") }')
+
+    def test_addresses(self):
+        address = "https://example.org/room.glb"
+        for words in (("info", address), ("render", address), ("check", address),
+                      ("render", "scene.obj", "-c", address),
+                      ("render", "scene.obj", "--add", address),
+                      ("render", "scene.obj", "--environment", address)):
+            self.refused(*words, code=1, says=f"'{address}' is an address, not a file",
+                         helps="download it")
+
     def test_a_scene_named_as_a_command(self):
         (self.folder / "list").write_text("no scene")
         self.refused("render", "list", code=1, says="list")
@@ -114,11 +183,11 @@ class OptionRows(support.CommandTest):
     def test_are_those_of_the_help(self):
         commands = self.json_of("list", "options")["commands"]
         for command in commands:
-            text, _ = self.run_command(command["name"], "--help")
+            text, _ = self.run_command(command["name"], "--help", "all")
             spelt = re.findall(r"^  (?:-\w, )?(--[\w-]+)", text, re.MULTILINE)
             rows = [row["name"] for row in command["options"]]
-            self.assertEqual([name for name in rows if name.startswith("-")],
-                             [name for name in spelt if name not in ("--help", "--version")])
+            self.assertEqual(sorted(name for name in rows if name.startswith("-")),
+                             sorted(name for name in spelt if name not in ("--help", "--version")))
             self.assertTrue(all(f" {name}" in text for name in rows))
 
     def test_tell_types_ranges_and_defaults(self):

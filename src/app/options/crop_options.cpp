@@ -93,6 +93,7 @@ Options<Crop> crop_options() {
     scale.write = [](double factor) { return fmt::format("{}%", 100.0 * factor); };
     return {{custom_option<Crop>(
                  {.name = "--crop",
+                  .others = {"--region"},
                   .placeholder = "REGION",
                   .meaning = "render a part: WIDTHxHEIGHT+X+Y in pixels from the top left, or "
                              "LEFT,TOP,RIGHT,BOTTOM as fractions or percentages of the picture",

@@ -66,6 +66,7 @@ Value<std::size_t> texture_bytes() {
 Options<Request> film_options() {
     return {{custom_option<Request>(
                  {.name = "--layers",
+                  .others = {"--aov", "--aovs", "--passes"},
                   .placeholder = "LIST",
                   .meaning = "layers of an EXR file beside the picture: default, all, none, or "
                              "names separated by commas, such as default,direct,indirect (see "

@@ -85,10 +85,14 @@ Options<Settings> integrator_options() {
     const auto radiance =
         number(0.0F, std::numeric_limits<float>::max(), "give a number of at least 0");
     return {
-        {option({.name = "--integrator", .placeholder = "NAME", .meaning = described(integrators)},
+        {option({.name = "--integrator",
+                 .others = {"--preview=preview", "--draft=preview", "--engine", "--renderer"},
+                 .placeholder = "NAME",
+                 .meaning = described(integrators)},
                 choice(integrators), &Settings::integrator),
          custom_option<Settings>(
              {.name = "--bounces",
+              .others = {"--max-depth", "--depth"},
               .placeholder = "COUNT",
               .meaning = "how often light is scattered at most on its way from a lit surface to "
                          "the camera (path): a number, or numbers by kind; auto is " +

@@ -91,6 +91,7 @@ struct EnvironmentWord {
 Options<LightRequest> light_options() {
     return {{custom_option<LightRequest>(
                  {.name = "--environment",
+                  .others = {"--hdri", "--hdr", "--envmap", "--world"},
                   .placeholder = "FILE|COLOUR|sky",
                   .meaning =
                       "light from far away, for path: an equirectangular picture (.hdr, .exr, "

@@ -74,6 +74,7 @@ Options<Request> look_options() {
         fmt::format("give auto, or stops from -{0} to {0}, such as -1.5", max_stops), "stops");
     Options<Settings> background{{custom_option<Settings>(
         {.name = "--background",
+         .others = {"--transparent=transparent", "--bg"},
          .placeholder = "COLOUR",
          .meaning = "transparent, black, white, a grey level, or red,green,blue (linear, from 0 "
                     "to 1), as the display shows it; auto shows the environment, if there is one",
@@ -82,12 +83,14 @@ Options<Request> look_options() {
         read_background, write_background)}};
     Options<Request> made{
         {option({.name = "--exposure",
+                 .others = {"--ev"},
                  .placeholder = "STOPS",
                  .meaning = "exposure in stops (PNG); auto changes pictures that would be nearly "
                             "black or white",
                  .effect = Effect::display},
                 or_word("auto", stops), &Request::exposure),
          option({.name = "--view-transform",
+                 .others = {"--tonemap", "--tone-mapping"},
                  .placeholder = "NAME",
                  .meaning = "from light to display colours (PNG): " +
                             described(choices_of(render::view_transforms())),

@@ -41,6 +41,7 @@ Options<Request> scene_options() {
                 text(OptionType::camera), &Request::camera),
          set_option(&Request::set)}};
     made.add(&Request::placement, placement_options());
+                 .others = {"--cam"},
     return made;
 }
 
@@ -70,6 +71,7 @@ Options<Request> thread_options() {
 
 Options<Request> request_options() {
     Options<Request> made = scene_options();
+                     .others = {"--jobs"},
     made.rows.push_back(time_option(std::numeric_limits<double>::max(), &Request::settings,
                                     &render::Settings::time));
     made.add(&Request::shutter, shutter_options());

@@ -26,12 +26,14 @@ Options<Request> sampling_options() {
     return {
         {option({.name = "--samples",
                  .letter = "-s",
+                 .others = {"--spp", "--rays-per-pixel"},
                  .placeholder = "COUNT",
                  .meaning = fmt::format("rays per pixel, with --noise at most (default: {}, with "
                                         "--noise {})",
                                         default_samples, default_max_samples)},
                 maybe(count(1, 1'000'000)), &Request::samples),
          option({.name = "--noise",
+                 .others = {"--noise-threshold"},
                  .placeholder = "LEVEL",
                  .meaning = "sample each pixel until its noise is below this level: 0.01 is hardly "
                             "visible, 0 gives all pixels the same number of samples"},

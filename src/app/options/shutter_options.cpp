@@ -81,6 +81,7 @@ Options<ShutterRequest> shutter_options() {
                  .meaning = "how the shutter moves: " + described(shape.info.choices)},
                 shape, &ShutterRequest::shape),
          option({.name = "--fps",
+                 .others = {"--framerate", "--frame-rate"},
                  .placeholder = "NUMBER",
                  .meaning = "frames per second of the animation, for a shutter in degrees and "
                             "the layer motion of an EXR file"},

@@ -56,7 +56,10 @@ Options<SizeRequest> size_options(const std::string& meaning) {
                                   "write --size 1920x1080, or --width 1920 --height 1080"));
         }
     };
-    return {{size_option({.name = "--size", .placeholder = "WIDTH[xHEIGHT]", .meaning = meaning}),
+    return {{size_option({.name = "--size",
+                          .others = {"--resolution", "--res", "--geometry"},
+                          .placeholder = "WIDTH[xHEIGHT]",
+                          .meaning = meaning}),
              option({.name = "--width",
                      .letter = "-W",
                      .placeholder = "PIXELS",

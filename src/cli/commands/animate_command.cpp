@@ -42,6 +42,10 @@ void add_animate_command(CLI::App& app, ExitCode& code) {
         all.add(&AnimateOptions::animation, std::move(animation));
         all.add(manner_options(&AnimateOptions::manner));
         command.add(std::move(all), options);
+        command.show_first({"--output", "--camera", "--set", "--fit", "--frames", "--duration",
+                            "--turntable", "--fps", "--shutter", "--size", "--samples",
+                            "--integrator", "--environment", "--exposure", "--denoise",
+                            "--overwrite", "--shard", "--quiet"});
         command.footer(
             "Examples:\n"
             "  balcony animate room.glb --turntable --frames 1-120 -o room.mp4\n"

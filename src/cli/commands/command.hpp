@@ -41,12 +41,26 @@ public:
     [[nodiscard]] const app::OptionInfo* row_of(const CLI::Option* option) const;
     [[nodiscard]] bool has_flag(std::string_view name) const { return given().contains(name); }
 
+    /// The words of a command line with the names of the rows in place of the others that they
+    /// have. An error if such a name is not taken.
+    [[nodiscard]] Result<std::vector<std::string>> in_own_words(
+        const std::vector<std::string>& words) const;
+    /// The help shows these options; `--help all` shows the others, too.
+    void show_first(const std::vector<std::string>& names);
+
     /// The options of the command line that was parsed, with their words.
     [[nodiscard]] app::GivenWords given() const;
     /// Reads them into their targets.
     [[nodiscard]] Diagnostics read() const;
 
 private:
+    struct OtherName {
+        const app::OptionInfo* row;
+        std::string value;
+        bool is_taken;
+    };
+    [[nodiscard]] std::optional<OtherName> find_other(std::string_view name) const;
+    [[nodiscard]] Diagnostics check_words() const;
     void add_row(const app::OptionInfo& info);
 
     std::vector<app::OptionInfo> rows_;

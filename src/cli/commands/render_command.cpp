@@ -148,6 +148,7 @@ app::Option<RenderOptions> output_row() {
         [](const std::optional<std::string>& file) { return file.value_or(""); });
     return option({.name = "--output",
                    .letter = "-o",
+                   .others = {"--out"},
                    .placeholder = "FILE",
                    .meaning = "output file: .png, .jpg, .webp, .tif, or .exr with all layers; "
                               "{scene} stands for the scene's name, and - is standard output (PNG) "
@@ -184,6 +185,10 @@ app::Options<RenderOptions> render_rows() {
 void add_render_command(CLI::App& app, ExitCode& code) {
     const auto describe = [](Command& command, RenderOptions& options) {
         command.add(render_rows(), options);
+        command.show_first({"--output", "--camera", "--set", "--fit", "--no-fit", "--fit-to",
+                            "--from", "--time", "--size", "--crop", "--samples", "--integrator",
+                            "--environment", "--exposure", "--background", "--denoise", "--resume",
+                            "--watch", "--quiet"});
         CLI::Option* const scenes = command.get_option("SCENE");
         scenes->check([&command, scenes](const std::string& word) {
             const bool wrong = scenes->results().size() > 1 && is_misplaced(command, word);

@@ -50,6 +50,7 @@ template <class Target>
                                                 bool required = false) {
     return option({.name = "--output",
                    .letter = "-o",
+                   .others = {"--out"},
                    .placeholder = "FILE",
                    .meaning = std::move(meaning),
                    .required = required,

@@ -42,6 +42,10 @@ bool is_open(std::string_view text) {
     return text.find('=') == std::string_view::npos || text.ends_with('=');
 }
 
+bool is_count(std::string_view word) {
+    return !word.empty() && word.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
 bool is_stage(std::string_view name) {
     const auto& rows = camera::catalogue();
     return std::any_of(rows.begin(), rows.end(),
@@ -50,7 +54,7 @@ bool is_stage(std::string_view name) {
 
 }  // namespace
 
-std::vector<std::string> command_words(std::vector<std::string> words) {
+std::vector<std::string> command_words(std::vector<std::string> words, bool& whole_help) {
     if (!words.empty() && words.front() == "help") {
         words.erase(words.begin());
         if (words.size() == 1 && is_stage(words.front())) {
@@ -61,9 +65,24 @@ std::vector<std::string> command_words(std::vector<std::string> words) {
     } else if (words.size() == 1 && words.front() == "version") {
         words.front() = "--version";
     }
+    const auto asks = [](std::string_view word) { return word == "--help" || word == "-h"; };
+    for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+        if ((asks(words[i]) && words[i + 1] == "all") ||
+            (words[i] == "all" && asks(words[i + 1]))) {
+            whole_help = true;
+            words.erase(words.begin() + static_cast<std::ptrdiff_t>(words[i] == "all" ? i : i + 1));
+            break;
+        }
+    }
     std::vector<std::string> made;
     for (std::size_t i = 0; i < words.size(); ++i) {
         made.push_back(words[i]);
+        if (words[i] == "--size" && i + 2 < words.size() && is_count(words[i + 1]) &&
+            is_count(words[i + 2])) {
+            made.push_back(words[i + 1] + "x" + words[i + 2]);
+            i += 2;
+            continue;
+        }
         if (words[i] != "--set" || i + 1 == words.size()) {
             continue;
         }

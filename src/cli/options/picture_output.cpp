@@ -6,8 +6,11 @@
 #include <map>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <glob.h>
 #include <unistd.h>
+
+#include "balcony/animation.hpp"
 
 namespace balcony::cli {
 
@@ -57,6 +60,12 @@ Diagnostics check_output(const fs::path& output) {
     if (output == "-" && isatty(STDOUT_FILENO) != 0) {
         return {error(Kind::usage, "a picture cannot be shown on a terminal",
                       "redirect the output: balcony render ... -o - > picture.png")};
+    }
+    if (app::names_film(output)) {
+        return {error(Kind::usage,
+                      fmt::format("'{}' is a film, but this makes a picture", output.string()),
+                      fmt::format("balcony animate makes films: {}",
+                                  fmt::join(app::film_extensions(), ", ")))};
     }
     return app::check_output(output);
 }

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
 #include "balcony/display_file.hpp"
@@ -55,7 +56,7 @@ std::string entry(const std::string& name, const std::string& meaning) {
 
 class HelpLayout final : public CLI::Formatter {
 public:
-    HelpLayout() {
+    explicit HelpLayout(bool whole) : whole_(whole) {
         label("Positionals", "Arguments");
         label("OPTIONS", "options");
         label("SUBCOMMAND", "COMMAND");
@@ -65,6 +66,13 @@ public:
         return entry(spelling(*option), meaning(*option));
     }
 
+    std::string make_group(std::string group, bool is_positional,
+                           std::vector<const CLI::Option*> options) const override {
+        return whole_ || group != more_options
+                   ? Formatter::make_group(std::move(group), is_positional, std::move(options))
+                   : "\n--help all shows all options.\n";
+    }
+
     std::string make_usage(const CLI::App* app, std::string name) const override {
         return "\n" + Formatter::make_usage(app, std::move(name));
     }
@@ -72,6 +80,9 @@ public:
     std::string make_subcommand(const CLI::App* command) const override {
         return entry(command->get_name(), command->get_description());
     }
+
+private:
+    bool whole_;
 };
 
 std::vector<std::string> names_of_options(const CLI::App& command) {
@@ -128,6 +139,17 @@ std::optional<std::string> option_with_one_hyphen(const CLI::App& command) {
     return std::nullopt;
 }
 
+// The options of the command line that take no value.
+std::vector<std::string> given_flags(const CLI::App& command) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : command.get_options()) {
+        if (option->count() > 0 && option->get_items_expected_max() == 0) {
+            names.push_back(option->get_name());
+        }
+    }
+    return names;
+}
+
 bool is_camera(const std::string& word) {
     const auto& built_in = lang::built_in_cameras();
     return word.ends_with(".cam") || word.find(".cam:") != std::string::npos ||
@@ -143,6 +165,11 @@ std::string option_for(const CLI::App& command, const std::string& word) {
     const bool is_point = of_numbers && word.find(',') != std::string::npos;
     if (of_numbers && !is_point && has_option(command, "--point")) {
         return "write a point as one word: --point X,Y,Z";
+    }
+    if ((of_numbers && !is_point) || word == "on" || word == "true" || word == "yes") {
+        const std::vector<std::string> flags = given_flags(command);
+        return flags.empty() ? "an option has one value"
+                             : fmt::format("write {} without a value", fmt::join(flags, " and "));
     }
     const char* option =
         is_camera(word)                                                              ? "--camera"
@@ -205,7 +232,9 @@ std::string meaning(const CLI::Option& option) {
                             : fmt::format("{} (default: {})", option.get_description(), standard);
 }
 
-std::shared_ptr<CLI::FormatterBase> help_layout() { return std::make_shared<HelpLayout>(); }
+std::shared_ptr<CLI::FormatterBase> help_layout(bool whole) {
+    return std::make_shared<HelpLayout>(whole);
+}
 
 bool is_misplaced(const CLI::App& command, const std::string& word) {
     return !app::is_scene_file(word) && !option_for(command, word).empty();
@@ -222,7 +251,7 @@ Diagnostic usage_error(const CLI::App& app, const CLI::ParseError& problem) {
         return word.size() > 1 && word.front() == '-';
     });
     const bool is_option = option != unknown.end();
-    if (problem.get_name() == "ValidationError") {
+    if (problem.get_name() == "ValidationError" && !is_option) {
         return misplaced_argument(command);
     }
     if (!is_option && (unknown.empty() || problem.get_name() == "ArgumentMismatch")) {

@@ -9,8 +9,11 @@
 
 namespace balcony::cli {
 
+/// The heading of the options that only the whole help shows.
+inline constexpr std::string_view more_options = "More options";
+
 /// Formats help texts within 80 columns, with options as a user writes them.
-[[nodiscard]] std::shared_ptr<CLI::FormatterBase> help_layout();
+[[nodiscard]] std::shared_ptr<CLI::FormatterBase> help_layout(bool whole);
 
 /// "-o, --output FILE", or the name of an argument.
 [[nodiscard]] std::string spelling(const CLI::Option& option);
