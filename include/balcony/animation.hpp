@@ -62,7 +62,9 @@ struct FilmRequest {
 
 /// Whether the name of a file has the extension of a film.
 [[nodiscard]] bool is_film(const std::filesystem::path& file);
-/// These extensions: ".mp4", ...
+/// The same also of a film in a format that is not written.
+[[nodiscard]] bool names_film(const std::filesystem::path& file);
+/// The extensions of films that are written: ".mp4", ...
 [[nodiscard]] std::vector<std::string> film_extensions();
 /// The frames of a film are in a folder beside it until it is complete.
 [[nodiscard]] FramePattern pattern_of_film(const std::filesystem::path& film);
@@ -72,6 +74,7 @@ struct AnimationRequest {
     /// Of each frame, but for its time and its output.
     Request picture{};
     std::optional<FrameNumbers> frames{};  ///< As many as the scene's animations need if empty.
+    std::optional<double> duration{};      ///< In seconds, in place of `frames`.
     double start_time = 0.0;               ///< Of frame 1, in seconds.
     bool turntable = false;
     std::string around{};  ///< The object that the turntable is for; empty for the scene.

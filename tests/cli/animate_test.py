@@ -162,6 +162,13 @@ class Frames(AnimationTest):
             self.refused("animate", "room.glb", f"--frames={text or ' '}", "-o", "n.#.png", code=2,
                          says="--frames cannot be")
 
+    def test_one_number_is_the_length_of_a_film(self):
+        facts = self.json_of(*self.words("--frames", "3", "-o", "n.gif"))
+        self.assertEqual(facts["frames"], "1-3")
+        out, _ = self.animate("--frames", "3", "-o", "n.#.png")
+        self.assertIn("n.#.png: frames 3 of", out)
+        self.assertIn("that frame alone; --frames 1-3 renders the first 3", out)
+
     def test_wrong_usage(self):
         self.refused(*self.words("--frames", "1", "-o", "no/f.#.png"), code=3, says="no folder")
         err = self.refused(*self.words("--frames", "1", "-o", "no/f.mp4"), code=3,

@@ -31,8 +31,9 @@ Result<FrameNumbers> default_frames(const scene::Scene& scene, const AnimationRe
     constexpr double turntable_seconds = 5.0;
     constexpr double rounding = 1e-6;
     const double frame_time = request.picture.shutter.rate.frame_time();
-    double frames = 0.0;
-    if (scene.motion) {
+    double frames =
+        request.duration ? std::max(std::round(*request.duration / frame_time), 1.0) : 0.0;
+    if (scene.motion && frames == 0.0) {
         for (const scene::Animation& animation : scene.motion->animations) {
             frames = std::max(frames, std::floor(animation.duration / frame_time + rounding) + 1.0);
         }

@@ -158,6 +158,13 @@ std::string reason_of(const std::string& errors) {
 
 bool is_film(const fs::path& file) { return format_of(file) != nullptr; }
 
+bool names_film(const fs::path& file) {
+    constexpr std::array<std::string_view, 8> others{".avi", ".flv", ".m4v", ".mpeg",
+                                                     ".mpg", ".mxf", ".ogv", ".wmv"};
+    return is_film(file) ||
+           std::find(others.begin(), others.end(), ending_of(file)) != others.end();
+}
+
 std::vector<std::string> film_extensions() {
     std::vector<std::string> names;
     for (const FilmFormat& format : formats) {

@@ -1,6 +1,9 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
+#include <algorithm>
+#include <numeric>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -36,6 +39,10 @@ void read_output(std::span<const std::string> words, AnimationRequest& animation
     if (is_film(output)) {
         animation.film.emplace().file = output;
         animation.pattern = pattern_of_film(output);
+    } else if (names_film(output)) {
+        found.push_back(
+            error(Kind::usage, fmt::format("films in the format of '{}' are not written", output),
+                  fmt::format("name a film that ends in {}", fmt::join(film_extensions(), ", "))));
     } else if (const auto pattern = FramePattern::read(output)) {
         animation.pattern = *pattern;
     } else {
@@ -52,6 +59,7 @@ Option<AnimationRequest> output_option() {
     return custom_option<AnimationRequest>(
         {.name = "--output",
          .letter = "-o",
+         .others = {"--out"},
          .placeholder = "FILE",
          .meaning = fmt::format("a film ({}), or a sequence whose name has # for the digits of the "
                                 "frame's number, such as frame.####.png",
@@ -100,12 +108,21 @@ Options<AnimationRequest> frame_options() {
     };
     return {
         {option({.name = "--frames",
+                 .others = {"--frame"},
                  .placeholder = "FRAMES",
-                 .meaning = "the frames: 1-240, 7, every tenth 1-240x10, or several of these with "
-                            "commas (default: as long as the scene's animations, or 5 s of a "
+                 .meaning = "the frames: 1-240, every tenth 1-240x10, or several of these with "
+                            "commas; one number is that frame of a sequence, and the length of a "
+                            "film (default: as long as the scene's animations, or 5 s of a "
                             "turntable)",
                  .effect = Effect::run},
                 maybe(frame_numbers()), &AnimationRequest::frames),
+         option({.name = "--duration",
+                 .others = {"--length", "--seconds"},
+                 .placeholder = "SECONDS",
+                 .meaning = "the length of the film instead of --frames",
+                 .effect = Effect::run},
+                maybe(number(1e-3, 1e6, "give a number of seconds, such as 5", "s")),
+                &AnimationRequest::duration),
          option({.name = "--start-time",
                  .placeholder = "T",
                  .meaning = "the time of frame 1 in seconds: of the scene's animations, and t in "
@@ -141,10 +158,26 @@ Options<AnimationRequest> frame_options() {
                 count(1, render::max_shards), &AnimationRequest::parts_per_frame)}};
 }
 
+// The frames from 1 to the only one.
+FrameNumbers frames_up_to(std::size_t last) {
+    FrameNumbers frames(std::max<std::size_t>(last, 1));
+    std::iota(frames.begin(), frames.end(), last > 0 ? 1 : 0);
+    return frames;
+}
+
 void check_together(AnimationRequest& animation, const GivenWords& given, Diagnostics& found) {
     animation.turntable = animation.turntable || !animation.around.empty();
+    if (animation.duration && animation.frames) {
+        found.push_back(
+            error(Kind::usage, "--frames and --duration exclude each other", "leave one out"));
+    }
     if (animation.film) {
         animation.film->rate = animation.picture.shutter.rate;
+        // A film of one frame is not meant: --frames 48 are the first 48.
+        const auto frames = given.find("--frames");
+        if (frames != given.end() && whole_number_of(frames->second.back()) && animation.frames) {
+            animation.frames = frames_up_to(animation.frames->front());
+        }
     } else {
         for (const char* option : {"--crf", "--keep-frames"}) {
             if (given.contains(option)) {

@@ -50,6 +50,10 @@ std::string text_of(const app::AnimationReport& report, const app::AnimationRequ
     }
     std::string text = fmt::format("{}: frames {} of {} x {} pixels, {}\n", printable(output),
                                    app::text_of(report.frames), report.width, report.height, done);
+    if (!request.film && report.frames.size() == 1 && report.frames.front() > 1) {
+        text += fmt::format("  that frame alone; --frames 1-{} renders the first {}\n",
+                            report.frames.front(), report.frames.front());
+    }
     if (!request.picture.exposure && report.exposure != 0.0) {
         text += fmt::format("  exposure {:+} stops, that of frame 1; --exposure sets it\n",
                             report.exposure);
