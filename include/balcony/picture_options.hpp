@@ -26,6 +26,8 @@ namespace balcony::app {
 [[nodiscard]] Options<render::Settings> integrator_options();
 /// --environment and its companions
 [[nodiscard]] Options<LightRequest> light_options();
+/// --lamp and --lamp-at-eye
+[[nodiscard]] Options<LightRequest> lamp_options();
 /// --shutter, --shutter-shape and --fps
 [[nodiscard]] Options<ShutterRequest> shutter_options();
 /// --stereo and its companions

@@ -20,6 +20,7 @@
 #include "balcony/layers.hpp"
 #include "balcony/picture.hpp"
 #include "balcony/render.hpp"
+#include "balcony/scene.hpp"
 #include "balcony/shard.hpp"
 #include "balcony/shutter.hpp"
 #include "balcony/stereo.hpp"
@@ -63,6 +64,9 @@ struct LightRequest {
     double rotation = 0.0;  ///< Of the environment, in radians, as Environment::rotated().
     float strength = 1.0F;  ///< The factor of its radiance.
     std::optional<double> sun_angle{};  ///< As LightSettings::sun_angle.
+    std::vector<scene::Light> lamps{};  ///< They join the scene, in its axes.
+    bool lamp_at_eye =
+        false;  ///< A light at the eye in place of the lights of the scene and a sky.
 };
 
 /// Frames per second as a fraction, such as 30000/1001.

@@ -291,6 +291,10 @@ struct Scene {
 /// error means that there is nothing to render. A stop is an error of Kind::interrupted.
 [[nodiscard]] Result<Scene> load(const std::filesystem::path& file, const PartDone& progress = {},
                                  const std::stop_token& stop = {});
+/// The same of a file that joins another scene: lights or cameras alone are enough.
+[[nodiscard]] Result<Scene> load_addition(const std::filesystem::path& file,
+                                          const PartDone& progress = {},
+                                          const std::stop_token& stop = {});
 /// The same from the bytes of a file; its name determines the format, and the folder of other files
 /// that it names.
 [[nodiscard]] Result<Scene> load(const std::filesystem::path& name,

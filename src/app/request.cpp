@@ -106,6 +106,9 @@ Result<render::Settings> settings_of(const Request& request) {
     }
     const LightRequest& light = request.light;
     settings.light.sky_beside_suns = true;
+    if (light.lamp_at_eye) {
+        settings.light.substitute = render::SubstituteLight::eye;
+    }
     if (light.sun_angle) {
         settings.light.sun_angle = light.sun_angle;
     }

@@ -41,7 +41,8 @@ struct MeshFault {
 struct Import {
     std::filesystem::path file;
     std::optional<std::span<const std::uint8_t>>
-        given;  ///< The bytes of the file, if given in memory.
+        given;                 ///< The bytes of the file, if given in memory.
+    bool is_addition = false;  ///< It joins another scene, so it needs no triangles.
     std::stop_token stop;
     PartDone progress;
     Scene scene;

@@ -104,7 +104,8 @@ void read(Import& import) {
         import.diagnostics.push_back(warning(
             fmt::format("{} more like these", counted(import.further_warnings, "warning"))));
     }
-    if (import.scene.instances.empty()) {
+    const bool adds_something = !import.scene.lights.empty() || !import.scene.cameras.empty();
+    if (import.scene.instances.empty() && !(import.is_addition && adds_something)) {
         throw ReadError{error(
             fmt::format("nothing to render in {}: it has no triangles", in_quotes(file.string())),
             {}, "check that it is the right file; points and lines are not rendered")};
@@ -153,6 +154,16 @@ std::span<const std::string_view> file_extensions() {
 Result<Scene> load(const fs::path& file, const PartDone& progress, const std::stop_token& stop) {
     Import import;
     import.file = file;
+    import.stop = stop;
+    import.progress = progress;
+    return load(std::move(import));
+}
+
+Result<Scene> load_addition(const fs::path& file, const PartDone& progress,
+                            const std::stop_token& stop) {
+    Import import;
+    import.file = file;
+    import.is_addition = true;
     import.stop = stop;
     import.progress = progress;
     return load(std::move(import));

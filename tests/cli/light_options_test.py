@@ -54,6 +54,36 @@ class Light(support.CommandTest):
         self.refuses("--environment", "sky:elevation", "sky:elevation=high", "sky:height=3",
                      "sky:elevation=91", "sky:turbidity=0", "sky:turbidity=11", "sky:azimuth=nan")
 
+    def test_lamps(self):
+        for lamp in ("point 100 at 1,2,3", "spot 5,4,3 at 0,0,5 to 0,0,0 cone 30",
+                     "sun 3 at 1,1,1 to 0,0,0"):
+            self.assertIn("1 ", self.facts("--lamp", lamp)["light"])
+        lit = self.facts("--lamp", "point 100 at 1,2,3", "--lamp", "point 1 at 0,0,5")["light"]
+        self.assertEqual(lit, "2 lamps")
+        for wrong in ("point", "point 100", "lamp 3 at 1,2,3", "point 3 at 1,2", "point -1 at 1,2,3",
+                      "spot 3 at 1,2,3", "point 3 at 1,2,3 to 0,0,0", "sun 3 at 1,1,1 to 1,1,1"):
+            self.refuses("--lamp", wrong)
+
+    def test_a_lamp_at_the_eye(self):
+        (self.folder / "sunny.gltf").write_text(json.dumps(sunny_scene()))
+        self.assertEqual(self.facts("--lamp-at-eye")["light"],
+                         "a light at the eye, as the scene has none")
+        self.assertEqual(self.facts("--lamp-at-eye", scene="sunny.gltf")["light"],
+                         "a light at the eye alone")
+        self.refused("render", "scene.obj", "--lamp-at-eye", "--environment", "sky", code=2,
+                     says="--lamp-at-eye excludes")
+
+    def test_a_file_of_lamps_joins_a_scene(self):
+        lamp = {"asset": {"version": "2.0"}, "extensionsUsed": ["KHR_lights_punctual"],
+                "extensions": {"KHR_lights_punctual": {"lights": [{"type": "point",
+                                                                   "intensity": 50}]}},
+                "scenes": [{"nodes": [0]}],
+                "nodes": [{"translation": [0, 0, 5],
+                           "extensions": {"KHR_lights_punctual": {"light": 0}}}]}
+        (self.folder / "lamp.gltf").write_text(json.dumps(lamp))
+        self.assertEqual(self.facts("--add", "lamp.gltf")["light"], "1 lamp")
+        self.refused("render", "lamp.gltf", code=1, says="it has no triangles")
+
     def test_skies_and_colours(self):
         self.assertIn("elevation of 12", self.facts("--environment", "sky:elevation=12deg")["light"])
         self.assertIn("sun", self.facts("--environment", "sky")["light"])

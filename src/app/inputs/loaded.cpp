@@ -105,6 +105,10 @@ private:
         if (!scene) {
             return false;
         }
+        if (const auto& lamps = request_.light.lamps; !lamps.empty()) {
+            scene->lights.insert(scene->lights.end(), lamps.begin(), lamps.end());
+            scene->default_light = false;
+        }
         loaded_.scene = std::make_shared<const scene::Scene>(std::move(*scene));
         return true;
     }

@@ -39,7 +39,8 @@ Result<scene::Scene> load_scene(const std::string& name, double time,
     Result<scene::Scene> scene = scene::load(name, part_of(progress, 0.0, share), stop);
     double done = share;
     for (const std::string& file : added) {
-        Result<scene::Scene> part = scene::load(file, part_of(progress, done, done + share), stop);
+        Result<scene::Scene> part =
+            scene::load_addition(file, part_of(progress, done, done + share), stop);
         done += share;
         std::move(part.diagnostics.begin(), part.diagnostics.end(),
                   std::back_inserter(scene.diagnostics));

@@ -107,6 +107,19 @@ Value<double> degrees(double minimum, double maximum) {
         [](double angle) { return angle / degree; });
 }
 
+std::optional<Imath::V3d> point_of(std::string_view word) {
+    const std::vector<std::string_view> parts = parts_of(word, ",");
+    Imath::V3d point;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto number = parts.size() == 3 ? number_of<double>(parts[i]) : std::nullopt;
+        if (!number) {
+            return std::nullopt;
+        }
+        point[static_cast<int>(i)] = *number;
+    }
+    return point;
+}
+
 Value<Imath::Color3f> color(float maximum, std::string remedy) {
     Value<Imath::Color3f> made;
     made.info.type = OptionType::color;

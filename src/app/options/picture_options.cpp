@@ -62,6 +62,7 @@ Options<Request> picture_options() {
 
 Options<Request> thread_options() {
     return {{option({.name = "--threads",
+    made.add(&Request::light, lamp_options());
                      .letter = "-j",
                      .placeholder = "COUNT",
                      .meaning = "number of threads; 0 uses all processors",

@@ -3,8 +3,11 @@
 #pragma once
 
 #include <numbers>
+#include <optional>
 #include <string_view>
 #include <vector>
+
+#include <Imath/ImathVec.h>
 
 namespace balcony::app {
 
@@ -23,5 +26,8 @@ inline constexpr double degree = std::numbers::pi / 180.0;
         word.remove_prefix(end + 1);
     }
 }
+
+/// "X,Y,Z"
+[[nodiscard]] std::optional<Imath::V3d> point_of(std::string_view word);
 
 }  // namespace balcony::app

@@ -97,11 +97,14 @@ Lighting lit_by_itself(const TracedScene& traced, std::string own, const Setting
 
 Lighting lighting_of(const TracedScene& traced, PictureRays& rays, const Film& film,
                      const Settings& settings) {
+    std::string own = description_of(traced.lights, *traced.scene);
+    if (settings.light.substitute == SubstituteLight::eye && !own.empty()) {
+        return {traced.lights.lit_from_eye(), "a light at the eye alone", SubstituteLight::eye};
+    }
     std::optional<Environment> environment = settings.light.environment;
     if (!environment && settings.ambient) {
         environment = Environment::constant(*settings.ambient);
     }
-    std::string own = description_of(traced.lights, *traced.scene);
     if (environment) {
         return {traced.lights.with(environment, settings.light.sun_angle),
                 fmt::format("{}{}{}", own, own.empty() ? "" : ", ", environment->description())};
