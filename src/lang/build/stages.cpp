@@ -88,6 +88,10 @@ std::string on_one_line(std::string_view text) {
 
 StageBuilder::Stage StageBuilder::make_stage(StageKind kind, ExpressionId call) {
     const Expression& node = tree_[call];
+    if (std::optional<Diagnostic> fault = instead_of_stage(kind, call)) {
+        error(node.name.span, std::move(fault->message), std::move(fault->remedy));
+        return nullptr;
+    }
     const StageEntry* row = find_row(kind, node.name);
     if (row == nullptr) {
         return nullptr;
@@ -107,6 +111,58 @@ StageBuilder::Stage StageBuilder::make_from_row(const StageEntry& row, const Arg
     written_[made->get()] =
         whole.begin == whole.end ? std::string(row.name) : on_one_line(tree_.text(whole));
     return *made;
+}
+
+// Calls that beginners write where a formula or a statement is meant, with what to write instead.
+std::optional<Diagnostic> StageBuilder::instead_of_stage(StageKind kind, ExpressionId call) const {
+    const Expression& node = tree_[call];
+    if (node.kind != ExpressionKind::call || node.words || node.arguments.empty()) {
+        return std::nullopt;
+    }
+    const auto text_of = [&](std::size_t first, std::size_t last) {
+        return on_one_line(tree_.text({tree_[node.arguments[first].value].span.begin,
+                                       tree_[node.arguments[last].value].span.end}));
+    };
+    const std::size_t count = node.arguments.size();
+    const std::string all = text_of(0, count - 1);
+    const bool is_object = kind == StageKind::object_generator;
+    if (is_object && node.name.text == "point" && depends_on_coordinates(call)) {
+        return balcony::error("a point does not depend on u or v", {},
+                              instead_of_formula(kind, all, true));
+    }
+    const StageEntry* const row = session_.catalogue().find(kind, node.name.text);
+    if (kind == StageKind::direction_rule && row != nullptr && row->parameters.empty() &&
+        count == 3) {
+        return balcony::error(
+            fmt::format("'{}' takes no numbers: its directions are those of toward",
+                        node.name.text),
+            {}, fmt::format("write toward surface(u, v) = [{}] and look {}", all, node.name.text));
+    }
+    if (is_object && node.name.text == "lens") {
+        return balcony::error(
+            "'lens' is a statement, not an object", {},
+            fmt::format(
+                "write an object, such as point(0, 0, 0), and lens({}) on a line of its own", all));
+    }
+    if (is_object && node.name.text == "morph" && count >= 2) {
+        return balcony::error(
+            "'morph' is a statement between cameras, not an object", {},
+            fmt::format("write a camera a with {}, a camera b with {}, and a third one with morph "
+                        "a .. b, amount = {}",
+                        text_of(0, 0), text_of(1, 1), count > 2 ? text_of(2, 2) : "0.5"));
+    }
+    return std::nullopt;
+}
+
+// Whether an expression has u or v, and these are no names of the file.
+bool StageBuilder::depends_on_coordinates(ExpressionId expression) const {
+    const auto nodes = std::span(tree_.expressions)
+                           .subspan(tree_[expression].first.value(),
+                                    expression.value() - tree_[expression].first.value());
+    return std::any_of(nodes.begin(), nodes.end(), [this](const Expression& one) {
+        return one.kind == ExpressionKind::name && (one.name.text == "u" || one.name.text == "v") &&
+               scope_.find(one.name.text) == nullptr;
+    });
 }
 
 const StageEntry* StageBuilder::find_row(StageKind kind, const Identifier& name) {

@@ -84,6 +84,9 @@ private:
     /// Problems are reported at `named`. `whole` is what the file writes, nothing if it is implied.
     Stage make_from_row(const camera::StageEntry& row, const camera::Arguments& arguments,
                         Span named, Span whole);
+    [[nodiscard]] std::optional<Diagnostic> instead_of_stage(camera::StageKind kind,
+                                                             ExpressionId call) const;
+    [[nodiscard]] bool depends_on_coordinates(ExpressionId expression) const;
     const camera::StageEntry* find_row(camera::StageKind kind, const Identifier& name);
 
     // ------------------------------------------------------ which parameter an argument is for

@@ -153,4 +153,14 @@ std::optional<std::string> stage_remedy(StageKind kind, std::string_view word) {
     return std::nullopt;
 }
 
+std::string instead_of_formula(StageKind kind, std::string_view numbers, bool depends) {
+    const bool is_rule = kind == StageKind::direction_rule;
+    if (depends) {
+        return fmt::format("write {}surface(u, v) = [{}]{}", is_rule ? "toward " : "", numbers,
+                           is_rule ? " and look absolute" : "");
+    }
+    return is_rule ? fmt::format("write along(({})) for a fixed direction", numbers)
+                   : fmt::format("write point({}) for a point", numbers);
+}
+
 }  // namespace balcony::lang

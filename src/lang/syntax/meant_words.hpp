@@ -20,4 +20,9 @@ namespace balcony::lang {
 [[nodiscard]] std::optional<std::string> stage_remedy(camera::StageKind kind,
                                                       std::string_view word);
 
+/// What to write instead of a bare formula, such as (cos(u), sin(u), v), for an object or a
+/// direction rule. `numbers` is its text without the brackets, and `depends` whether it has u or v.
+[[nodiscard]] std::string instead_of_formula(camera::StageKind kind, std::string_view numbers,
+                                             bool depends);
+
 }  // namespace balcony::lang

@@ -4,6 +4,7 @@
 #include "lang/syntax/parser.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 
@@ -204,6 +205,37 @@ private:
         tree_.items.emplace_back(std::move(camera));
     }
 
+    // camera a extends fisheye { ... }
+    [[nodiscard]] bool is_derived() const {
+        constexpr std::array<std::string_view, 6> words{"extends", "inherits", "from",
+                                                        "is",      "of",       "like"};
+        const Token& token = tokens_.peek();
+        return token.is(":") || (token.kind == TokenKind::name &&
+                                 std::find(words.begin(), words.end(), token.text) != words.end());
+    }
+
+    // A camera that is to be another one with other values is a picture of that one. The rest is
+    // skipped up to the next definition.
+    void derived_camera(std::string_view name) {
+        const Span word = tokens_.next().span;
+        const std::string_view text = tree_.source->text();
+        std::string_view of = text.substr(word.end, text.find_first_of("{\n", word.end) - word.end);
+        while (!of.empty() && (of.front() == ' ' || of.front() == '\t')) {
+            of.remove_prefix(1);
+        }
+        while (!of.empty() && (of.back() == ' ' || of.back() == '\t' || of.back() == '\r')) {
+            of.remove_suffix(1);
+        }
+        const bool is_call = of.ends_with(')');
+        tokens_.error(word, "a camera is not made of another one",
+                      fmt::format("write picture {} {{ layer {}{} }}{}", name,
+                                  of.empty() ? "fisheye" : of, is_call ? "" : "(fov = 60deg)",
+                                  is_call ? "" : ", with new values of its parameters"));
+        while (!tokens_.at_end() && !(is_file_keyword(tokens_.peek()) && tokens_.at_new_line())) {
+            tokens_.next();
+        }
+    }
+
     // What follows a name instead of the opening brace is skipped up to the brace.
     void missing_brace(DefinitionSyntax& camera, std::string_view what) {
         camera.broken = true;
@@ -213,6 +245,9 @@ private:
         const bool on_line = token.kind == TokenKind::name && !tokens_.at_new_line();
         if (size_failed_) {
             size_failed_ = false;
+        } else if ((token.is("=") && !tokens_.peek(1).is("{")) || is_derived()) {
+            derived_camera(camera.name.text);
+            return;
         } else if (on_line) {
             tokens_.error(
                 {camera.name.span.begin, token.span.end},

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "balcony/catalogue.hpp"
+#include "lang/syntax/meant_words.hpp"
 
 namespace balcony::lang {
 
@@ -410,9 +411,37 @@ bool StatementParser::takes_bare_number(const StatementRow& row, std::string_vie
     return true;
 }
 
+// A formula in brackets where a stage is expected: what to write instead, with its text.
+std::optional<std::string> StatementParser::bare_formula_remedy(const StatementRow& row) const {
+    const bool is_rule = row.stage_kind == camera::StageKind::direction_rule;
+    const bool is_object = row.stage_kind == camera::StageKind::object_generator;
+    const Token& opening = tokens_.peek();
+    if (!(is_rule || is_object) || !(opening.is("(") || opening.is("["))) {
+        return std::nullopt;
+    }
+    bool depends = false;
+    std::size_t ahead = 0;
+    for (int depth = 0; depth > 0 || ahead == 0; ++ahead) {
+        const Token& token = tokens_.peek(ahead);
+        if (token.kind == TokenKind::end) {
+            return std::nullopt;
+        }
+        depends = depends || token.is_name("u") || token.is_name("v");
+        depth += token.is("(") || token.is("[") ? 1 : token.is(")") || token.is("]") ? -1 : 0;
+    }
+    const char* const begin = opening.text.data() + 1;
+    const std::string_view inner(
+        begin, static_cast<std::size_t>(tokens_.peek(ahead - 1).text.data() - begin));
+    return instead_of_formula(*row.stage_kind, inner, depends);
+}
+
 std::optional<ExpressionId> StatementParser::stage(const StatementRow& row) {
     if (row.shape != Shape::call && opens_next_statement()) {
         missing(row.expected);
+        return std::nullopt;
+    }
+    if (const std::optional<std::string> remedy = bare_formula_remedy(row)) {
+        tokens_.expected(row.expected, *remedy);
         return std::nullopt;
     }
     if (tokens_.peek().is("(") && row.stage_kind) {

@@ -61,6 +61,7 @@ private:
     [[nodiscard]] bool is_shown_camera(Block block) const;
     [[nodiscard]] bool takes_bare_number(const StatementRow& row, std::string_view stage);
     [[nodiscard]] bool stages(const StatementRow& row, Statement& made);
+    [[nodiscard]] std::optional<std::string> bare_formula_remedy(const StatementRow& row) const;
     [[nodiscard]] std::optional<ExpressionId> stage(const StatementRow& row);
     [[nodiscard]] bool morph(const StatementRow& row, Statement& made);
     [[nodiscard]] bool layer(const StatementRow& row, Statement& made);
