@@ -8,6 +8,7 @@
 // tile, so that tiles may have different numbers of samples, and so that a stopped render
 // can continue. Films are plain data owned by the caller; a job (render.hpp) adds passes to them.
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -47,6 +48,13 @@ struct Region {
     [[nodiscard]] std::size_t size() const { return width * height; }
     [[nodiscard]] bool contains(std::size_t px, std::size_t py) const {
         return px >= x && px - x < width && py >= y && py - y < height;
+    }
+    /// What it shares with another one; without pixels if that is nothing.
+    [[nodiscard]] Region intersection(const Region& other) const {
+        const std::size_t left = std::max(x, other.x);
+        const std::size_t top = std::max(y, other.y);
+        return {left, top, std::max(left, std::min(x + width, other.x + other.width)) - left,
+                std::max(top, std::min(y + height, other.y + other.height)) - top};
     }
     bool operator==(const Region&) const = default;
 };

@@ -102,12 +102,9 @@ struct TileImage {
 /// first pixel (x, y), whose number in the region, row by row, is i, and its number of pixels.
 template <class Visit>
 void for_each_row_within(const Region& region, const Region& window, const Visit& visit) {
-    const std::size_t left = std::max(region.x, window.x);
-    const std::size_t right = std::min(region.x + region.width, window.x + window.width);
-    const std::size_t top = std::max(region.y, window.y);
-    const std::size_t bottom = std::min(region.y + region.height, window.y + window.height);
-    for (std::size_t y = top; y < bottom && left < right; ++y) {
-        visit((y - region.y) * region.width + left - region.x, left, y, right - left);
+    const Region shared = region.intersection(window);
+    for (std::size_t y = shared.y; y < shared.y + shared.height && shared.width > 0; ++y) {
+        visit((y - region.y) * region.width + shared.x - region.x, shared.x, y, shared.width);
     }
 }
 

@@ -66,13 +66,6 @@ private:
     std::vector<Estimate> estimates_;
 };
 
-Region intersection(const Region& a, const Region& b) {
-    const std::size_t x = std::max(a.x, b.x);
-    const std::size_t y = std::max(a.y, b.y);
-    return {x, y, std::min(a.x + a.width, b.x + b.width) - x,
-            std::min(a.y + a.height, b.y + b.height) - y};
-}
-
 }  // namespace
 
 std::uint32_t first_judgement(const SamplingSettings& settings) {
@@ -97,7 +90,7 @@ double white_of(const Film& film) {
 bool find_active(const Film& film, std::size_t tile, const Region& region,
                  const SamplingSettings& settings, std::vector<std::uint8_t>& active) {
     const std::uint32_t count = film.passes[tile];
-    const Region inside = intersection(region, film.window);
+    const Region inside = region.intersection(film.window);
     active.assign(region.size(), 1);
     bool any = false;
     const auto judge = [&](const auto& needs_more) {

@@ -61,16 +61,6 @@ private:
         return missing;
     }
 
-    // The part of a tile that is in the window.
-    [[nodiscard]] Region changed_by(std::size_t tile) const {
-        const Region all = film_.tile(tile);
-        const Region& window = film_.window;
-        const std::size_t x = std::max(all.x, window.x);
-        const std::size_t y = std::max(all.y, window.y);
-        return {x, y, std::min(all.x + all.width, window.x + window.width) - x,
-                std::min(all.y + all.height, window.y + window.height) - y};
-    }
-
     [[nodiscard]] bool is_adaptive() const { return !film_.pixel_passes.empty(); }
 
     [[nodiscard]] std::uint32_t fewest_passes() const {
@@ -115,7 +105,8 @@ private:
             return;
         }
         reported_.push_back({film_.first_pass + pass, film_.first_pass + last_pass_, tiles_done_,
-                             tiles_, changed_by(tile), watch_.seconds()});
+                             tiles_, film_.tile(tile).intersection(film_.window),
+                             watch_.seconds()});
         if (passing_on_) {
             return;
         }

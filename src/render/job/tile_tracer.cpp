@@ -39,15 +39,6 @@ private:
     std::optional<std::size_t> packet_;  // Whose differentials they are.
 };
 
-// The part of two regions that they share.
-Region both(const Region& a, const Region& b) {
-    const std::size_t x = std::max(a.x, b.x);
-    const std::size_t y = std::max(a.y, b.y);
-    const std::size_t right = std::min(a.x + a.width, b.x + b.width);
-    const std::size_t bottom = std::min(a.y + a.height, b.y + b.height);
-    return {x, y, std::max(right, x) - x, std::max(bottom, y) - y};
-}
-
 // The lanes of a square at a place whose points are in a region.
 LaneBits lanes_within(const Region& region, std::size_t x, std::size_t y) {
     constexpr std::size_t side = embree::Packet::side;
@@ -128,7 +119,7 @@ void TileTracer::request(const TilePoints& points, const TileRays& rays, const S
 
 RayCounts TileTracer::trace_light(const Region& region, const Region& counted, const TileRays& rays,
                                   std::span<Color4f> radiance) {
-    const Region within = both(region, counted);
+    const Region within = region.intersection(counted);
     RayCounts counts{.camera_rays = within.size()};
     for_each_run(region.width, region.height, packets_, [&](const Square& first, auto packets) {
         set_packets(rays.all, first, rays.interval, rays.time, packets);
