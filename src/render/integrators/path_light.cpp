@@ -25,10 +25,7 @@ void PathLight::add(const Path& path, const Color3f& light) {
 }
 
 void PathLight::add_scattered(Seen& seen, const Color3f& light, std::size_t bounces) const {
-    Color3f added = light;
-    if (bounces > 1 && settings_->clamp_indirect > 0.0F) {
-        added *= std::min(1.0F, settings_->clamp_indirect / largest(light));
-    }
+    const Color3f added = bounces > 1 ? limited(light, settings_->clamp_indirect) : light;
     seen.radiance += Color4f(added.x, added.y, added.z, 0.0F);
     if (bounces == 0) {
         seen.parts.emission += added;

@@ -68,6 +68,9 @@ void absorb(Path& path, const V3f& position);
 /// that it meets, for which sampling the lamps has left a part.
 void count_bounce(Path& path, BsdfLobe lobe, const BounceLimits& limits);
 
+/// Light, or as much of it that its largest channel is the limit. 0 is no limit.
+[[nodiscard]] Color3f limited(const Color3f& light, float limit);
+
 /// The probability with which Russian roulette lets a path with this throughput go on. The root of
 /// the light and not the light itself: the time that is saved by ending more paths is worth less
 /// than the noise that it adds.

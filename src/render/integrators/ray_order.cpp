@@ -61,31 +61,20 @@ unsigned octant(const Imath::V3f& direction) {
 
 }  // namespace
 
-// A counting sort.
 std::span<const std::uint32_t> RayOrder::sort(std::span<const Key> rays) {
     Imath::Box3f box;
     for (const Key& ray : rays) {
         box.extendBy(ray.origin);
     }
     const Grid grid(box);
-    std::array<std::uint32_t, bucket_count> starts{};
-    buckets_.resize(rays.size());
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-        const unsigned bucket =
-            octant(rays[i].direction) << (3 * bits_per_axis) | grid.morton_index(rays[i].origin);
-        buckets_[i] = static_cast<std::uint16_t>(bucket);
-        ++starts[bucket];
+    buckets_.clear();
+    order_.clear();
+    for (const Key& ray : rays) {
+        order_.push_back(static_cast<std::uint32_t>(order_.size()));
+        buckets_.push_back(static_cast<std::uint16_t>(octant(ray.direction) << (3 * bits_per_axis) |
+                                                      grid.morton_index(ray.origin)));
     }
-    std::uint32_t sum = 0;
-    for (std::uint32_t& start : starts) {
-        const std::uint32_t count = start;
-        start = sum;
-        sum += count;
-    }
-    order_.resize(rays.size());
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-        order_[starts[buckets_[i]]++] = static_cast<std::uint32_t>(i);
-    }
+    counting_sort<bucket_count>(order_, buffer_, [this](std::uint32_t i) { return buckets_[i]; });
     return order_;
 }
 

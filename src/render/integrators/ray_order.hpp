@@ -32,6 +32,7 @@ public:
 private:
     std::vector<std::uint16_t> buckets_;  // By ray.
     std::vector<std::uint32_t> order_;
+    std::vector<std::uint32_t> buffer_;
 };
 
 /// Sorts indices by the number, below `bucket_count`, that a function gives for each. Equal ones

@@ -89,10 +89,7 @@ void SharedTails::add_light(const SceneTracer& tracer, float limit, std::span<Se
         const Indices group = std::span(order_).subspan(begin, end - begin);
         share(group, tracer);
         for (std::size_t lane = 0; lane < group.size(); ++lane) {
-            Color3f light = lanes_.light.of(lane);
-            if (limit > 0.0F && largest(light) > limit) {
-                light *= limit / largest(light);
-            }
+            const Color3f light = limited(lanes_.light.of(lane), limit);
             seen[group[lane]].radiance += Color4f(light.x, light.y, light.z, 0.0F);
         }
         begin = end;
