@@ -3,9 +3,22 @@
 
 #include "render/job/coarse_rays.hpp"
 
-#include "render/job/coarse_grid.hpp"
+#include <algorithm>
+#include <cmath>
 
 namespace balcony::render {
+
+rays::Tile coarse_grid(const Film& film, double time) {
+    constexpr double points = 2048.0;
+    const auto width = static_cast<double>(film.width);
+    const auto height = static_cast<double>(film.height);
+    const double step = std::max(1.0, std::sqrt(width * height / points));
+    const auto count = [step](double extent) {
+        return static_cast<std::size_t>(std::max(1.0, std::round(extent / step)));
+    };
+    return {0.5 * step,         0.5 * step,         step, count(width), count(height), time,
+            {0.5, width - 0.5}, {0.5, height - 0.5}};
+}
 
 void for_each_coarse_ray(const TracedScene& traced, PictureRays& all, const Film& film, double time,
                          const std::function<void(const DifferentialRay&)>& visit) {

@@ -10,8 +10,12 @@
 
 namespace balcony::render {
 
-/// Visits about 2000 rays of each camera layer, on a regular grid of the whole picture, whatever
-/// the film's window. They have footprints if the scene has textures.
+/// About 2048 points that are evenly distributed over the whole picture, whatever the film's
+/// window.
+[[nodiscard]] rays::Tile coarse_grid(const Film& film, double time);
+
+/// Visits the rays of each camera layer at these points. They have footprints if the scene has
+/// textures.
 void for_each_coarse_ray(const TracedScene& traced, PictureRays& rays, const Film& film,
                          double time, const std::function<void(const DifferentialRay&)>& visit);
 

@@ -13,7 +13,7 @@
 
 #include "balcony/median.hpp"
 #include "balcony/names.hpp"
-#include "render/job/coarse_grid.hpp"
+#include "render/job/coarse_rays.hpp"
 #include "render/job/picture_rays.hpp"
 
 namespace balcony::render {
