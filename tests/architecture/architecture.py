@@ -42,7 +42,7 @@ class Table:
             line = line.split("#")[0].strip()
             confined = re.fullmatch(r"(\S+/|\S+\.h)\s+only in\s+(\S+)", line)
             header = re.fullmatch(r"(\w+)\.hpp\s+of\s+(\w+)", line)
-            opened = re.fullmatch(r"(\S+/\S+\.hpp)\s+open to\s+(.+)", line)
+            opened = re.fullmatch(r"(\S+/\S+\.(?:hpp|inl))\s+open to\s+(.+)", line)
             row = re.fullmatch(r"(\w+):\s*(.*)", line)
             if confined:
                 self.only_in[confined[1]] = confined[2]

@@ -14,55 +14,41 @@ HWY_BEFORE_NAMESPACE();
 
 namespace balcony::render::embree::HWY_NAMESPACE {
 
-namespace lanes = hwy::HWY_NAMESPACE;
+#include "shading/lanes/registers.inl"
+
+HWY_INLINE Where within(const Float3& v, float limit) {
+    const Float largest = limit;
+    return both(largest >= absolute(v.x), both(largest >= absolute(v.y), largest >= absolute(v.z)));
+}
+
+// A component of a direction that is not lost.
+HWY_INLINE Float kept(Float component) {
+    return sign_of(component) * larger(absolute(component), min_component);
+}
 
 void prepare(Packet& packet, float reach) {
-    const lanes::CappedTag<float, Packet::size> tag;
-    const lanes::RebindToSigned<decltype(tag)> integers;
-    const lanes::RebindToUnsigned<decltype(tag)> numbers;
-    const auto zero = lanes::Zero(tag);
-    const auto one = lanes::Set(tag, 1.0F);
-    const auto farthest_origin = lanes::Set(tag, reach);
-    const auto largest = lanes::Set(tag, max_coordinate);
-    const auto smallest = lanes::Set(tag, min_component);
-    const auto nothing = lanes::Set(numbers, Hit::nothing);
+    const auto nothing = static_cast<std::int32_t>(Hit::nothing);
     for (std::size_t lane = 0; lane < Packet::size; lane += lanes::Lanes(tag)) {
-        const auto load = [lane, tag](const Packet::Floats& values) {
-            return lanes::Load(tag, values.data() + lane);
-        };
-        const auto time = load(packet.time);
-        const auto farthest = load(packet.farthest);
-        auto traceable = lanes::And(lanes::Ge(time, zero), lanes::Le(time, one));
-        traceable = lanes::And(traceable, lanes::Ge(farthest, zero));
-        traceable = lanes::And(
-            traceable, lanes::RebindMask(tag, lanes::Ne(lanes::Load(integers, &packet.valid[lane]),
-                                                        lanes::Zero(integers))));
-        for (const Packet::Floats* origin :
-             {&packet.origin_x, &packet.origin_y, &packet.origin_z}) {
-            traceable =
-                lanes::And(traceable, lanes::Le(lanes::Abs(load(*origin)), farthest_origin));
-        }
-        for (const Packet::Floats* direction :
-             {&packet.direction_x, &packet.direction_y, &packet.direction_z}) {
-            traceable = lanes::And(traceable, lanes::Le(lanes::Abs(load(*direction)), largest));
-        }
-        for (Packet::Floats* origin : {&packet.origin_x, &packet.origin_y, &packet.origin_z}) {
-            lanes::Store(lanes::IfThenElseZero(traceable, load(*origin)), tag,
-                         origin->data() + lane);
-        }
-        for (Packet::Floats* direction :
-             {&packet.direction_x, &packet.direction_y, &packet.direction_z}) {
-            const auto component = lanes::IfThenElse(traceable, load(*direction), one);
-            const auto size = lanes::Max(lanes::Abs(component), smallest);
-            lanes::Store(lanes::CopySign(size, component), tag, direction->data() + lane);
-        }
-        lanes::Store(lanes::IfThenElse(traceable, farthest, lanes::Neg(one)), tag,
-                     packet.farthest.data() + lane);
-        lanes::Store(lanes::IfThenElseZero(traceable, time), tag, packet.time.data() + lane);
-        lanes::Store(zero, tag, packet.nearest.data() + lane);
-        lanes::Store(nothing, numbers, packet.mask.data() + lane);
-        lanes::Store(nothing, numbers, packet.geometry.data() + lane);
-        lanes::Store(nothing, numbers, packet.placement.data() + lane);
+        const Float time = load(packet.time, lane);
+        const Float farthest = load(packet.farthest, lane);
+        const Float3 origin = load(packet.origin_x, packet.origin_y, packet.origin_z, lane);
+        const Float3 direction =
+            load(packet.direction_x, packet.direction_y, packet.direction_z, lane);
+        const Where is_there = !(Int(lanes::Load(int_tag, &packet.valid[lane])) == 0);
+        const Where traceable =
+            both(both(is_there, farthest >= 0.0F),
+                 both(both(time >= 0.0F, Float(1.0F) >= time),
+                      both(within(origin, reach), within(direction, max_coordinate))));
+        const Float3 along = select(traceable, direction, Float3{1.0F, 1.0F, 1.0F});
+        store(or_zero(traceable, origin), packet.origin_x, packet.origin_y, packet.origin_z, lane);
+        store(Float3{kept(along.x), kept(along.y), kept(along.z)}, packet.direction_x,
+              packet.direction_y, packet.direction_z, lane);
+        store(select(traceable, farthest, -1.0F), packet.farthest, lane);
+        store(or_zero(traceable, time), packet.time, lane);
+        store(Float(0.0F), packet.nearest, lane);
+        store(Int(nothing), packet.mask, lane);
+        store(Int(nothing), packet.geometry, lane);
+        store(Int(nothing), packet.placement, lane);
     }
 }
 

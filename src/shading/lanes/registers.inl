@@ -15,18 +15,64 @@ using IntTag = lanes::RebindToSigned<Tag>;
 constexpr Tag tag;
 constexpr IntTag int_tag;
 
-struct Where {
-    HWY_INLINE Where(lanes::Mask<Tag> mask) : m(mask) {}
-    lanes::Mask<Tag> m;
+// Which lanes of registers with a tag a condition holds for.
+template <class D>
+struct Condition {
+    HWY_INLINE Condition(lanes::Mask<D> mask) : m(mask) {}
+    lanes::Mask<D> m;
+
+    HWY_INLINE friend Condition operator!(Condition a) { return lanes::Not(a.m); }
+    HWY_INLINE friend Condition both(Condition a, Condition b) { return lanes::And(a.m, b.m); }
+    HWY_INLINE friend bool any(Condition a) { return !lanes::AllFalse(D(), a.m); }
+    HWY_INLINE friend bool all(Condition a) { return lanes::AllTrue(D(), a.m); }
 };
+using Where = Condition<Tag>;
 HWY_INLINE Where where_int(lanes::Mask<IntTag> mask) { return lanes::RebindMask(tag, mask); }
 
-struct Float {
-    Float() = default;
-    HWY_INLINE Float(lanes::Vec<Tag> vector) : v(vector) {}
-    HWY_INLINE Float(float value) : v(lanes::Set(tag, value)) {}
-    lanes::Vec<Tag> v;
+// Floating-point numbers of registers with a tag.
+template <class D>
+struct Number {
+    using Lanes = Condition<D>;
+
+    Number() = default;
+    HWY_INLINE Number(lanes::Vec<D> vector) : v(vector) {}
+    HWY_INLINE Number(lanes::TFromD<D> value) : v(lanes::Set(D(), value)) {}
+    lanes::Vec<D> v;
+
+    HWY_INLINE friend Number operator+(Number a, Number b) { return lanes::Add(a.v, b.v); }
+    HWY_INLINE friend Number operator-(Number a, Number b) { return lanes::Sub(a.v, b.v); }
+    HWY_INLINE friend Number operator*(Number a, Number b) { return lanes::Mul(a.v, b.v); }
+    HWY_INLINE friend Number operator/(Number a, Number b) { return lanes::Div(a.v, b.v); }
+    HWY_INLINE friend Number operator-(Number a) { return lanes::Neg(a.v); }
+    HWY_INLINE friend Lanes operator==(Number a, Number b) { return lanes::Eq(a.v, b.v); }
+    HWY_INLINE friend Lanes operator>(Number a, Number b) { return lanes::Gt(a.v, b.v); }
+    HWY_INLINE friend Lanes operator>=(Number a, Number b) { return lanes::Ge(a.v, b.v); }
+    HWY_INLINE friend Lanes operator<(Number a, Number b) { return lanes::Lt(a.v, b.v); }
+    HWY_INLINE friend Lanes operator<=(Number a, Number b) { return lanes::Le(a.v, b.v); }
+
+    HWY_INLINE friend Number square(Number a) { return a * a; }
+    HWY_INLINE friend Number root(Number a) { return lanes::Sqrt(a.v); }
+    HWY_INLINE friend Number larger(Number a, Number b) { return lanes::Max(a.v, b.v); }
+    HWY_INLINE friend Number smaller(Number a, Number b) { return lanes::Min(a.v, b.v); }
+    HWY_INLINE friend Number clamped(Number a, Number low, Number high) {
+        return lanes::Clamp(a.v, low.v, high.v);
+    }
+    HWY_INLINE friend Number absolute(Number a) { return lanes::Abs(a.v); }
+    HWY_INLINE friend Number floored(Number a) { return lanes::Floor(a.v); }
+    HWY_INLINE friend Number sign_of(Number a) { return lanes::CopySign(Number(1).v, a.v); }
+    HWY_INLINE friend Number mix(Number a, Number b, Number fraction) {
+        return a + fraction * (b - a);
+    }
+    HWY_INLINE friend Number select(Lanes where, Number a, Number b) {
+        return lanes::IfThenElse(where.m, a.v, b.v);
+    }
+    HWY_INLINE friend Number or_zero(Lanes where, Number a) {
+        return lanes::IfThenElseZero(where.m, a.v);
+    }
+    HWY_INLINE friend Number negated_if(Lanes where, Number a) { return select(where, -a, a); }
+    HWY_INLINE friend Lanes is_finite(Number a) { return lanes::IsFinite(a.v); }
 };
+using Float = Number<Tag>;
 
 struct Int {
     Int() = default;
@@ -35,38 +81,6 @@ struct Int {
     lanes::Vec<IntTag> v;
 };
 using Index = Int;
-
-HWY_INLINE Float operator+(Float a, Float b) { return lanes::Add(a.v, b.v); }
-HWY_INLINE Float operator-(Float a, Float b) { return lanes::Sub(a.v, b.v); }
-HWY_INLINE Float operator*(Float a, Float b) { return lanes::Mul(a.v, b.v); }
-HWY_INLINE Float operator/(Float a, Float b) { return lanes::Div(a.v, b.v); }
-HWY_INLINE Float operator-(Float a) { return lanes::Neg(a.v); }
-HWY_INLINE Where operator>(Float a, Float b) { return lanes::Gt(a.v, b.v); }
-HWY_INLINE Where operator>=(Float a, Float b) { return lanes::Ge(a.v, b.v); }
-HWY_INLINE Where operator<(Float a, Float b) { return lanes::Lt(a.v, b.v); }
-
-HWY_INLINE Float square(Float a) { return a * a; }
-HWY_INLINE Float root(Float a) { return lanes::Sqrt(a.v); }
-HWY_INLINE Float larger(Float a, Float b) { return lanes::Max(a.v, b.v); }
-HWY_INLINE Float smaller(Float a, Float b) { return lanes::Min(a.v, b.v); }
-HWY_INLINE Float clamped(Float a, Float low, Float high) {
-    return lanes::Clamp(a.v, low.v, high.v);
-}
-HWY_INLINE Float absolute(Float a) { return lanes::Abs(a.v); }
-HWY_INLINE Float floored(Float a) { return lanes::Floor(a.v); }
-HWY_INLINE Float sign_of(Float a) { return lanes::CopySign(Float(1.0F).v, a.v); }
-HWY_INLINE Float mix(Float a, Float b, Float fraction) { return a + fraction * (b - a); }
-
-HWY_INLINE Float select(Where where, Float a, Float b) {
-    return lanes::IfThenElse(where.m, a.v, b.v);
-}
-HWY_INLINE Float or_zero(Where where, Float a) { return lanes::IfThenElseZero(where.m, a.v); }
-HWY_INLINE Float negated_if(Where where, Float a) { return select(where, -a, a); }
-HWY_INLINE Where operator!(Where where) { return lanes::Not(where.m); }
-HWY_INLINE Where both(Where a, Where b) { return lanes::And(a.m, b.m); }
-HWY_INLINE bool any(Where where) { return !lanes::AllFalse(tag, where.m); }
-HWY_INLINE bool all(Where where) { return lanes::AllTrue(tag, where.m); }
-HWY_INLINE Where is_finite(Float a) { return lanes::IsFinite(a.v); }
 
 HWY_INLINE Int operator+(Int a, Int b) { return lanes::Add(a.v, b.v); }
 HWY_INLINE Int operator-(Int a, Int b) { return lanes::Sub(a.v, b.v); }
@@ -119,6 +133,7 @@ HWY_INLINE Float3 operator+(const Float3& a, const Float3& b) {
 HWY_INLINE Float3 operator-(const Float3& a, const Float3& b) {
     return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
+HWY_INLINE Float3 operator-(const Float3& a) { return {-a.x, -a.y, -a.z}; }
 HWY_INLINE Float3 operator*(Float a, const Float3& b) { return {a * b.x, a * b.y, a * b.z}; }
 HWY_INLINE Float3 operator*(const Float3& a, Float b) { return b * a; }
 HWY_INLINE Float3 operator*(const Float3& a, const Float3& b) {
@@ -157,10 +172,14 @@ HWY_INLINE Float2 load(const LanePairs& v, std::size_t lane) {
 HWY_INLINE void store(Float value, LaneFloats& values, std::size_t lane) {
     lanes::Store(value.v, tag, values.data() + lane);
 }
+HWY_INLINE void store(const Float3& v, LaneFloats& x, LaneFloats& y, LaneFloats& z,
+                      std::size_t lane) {
+    store(v.x, x, lane);
+    store(v.y, y, lane);
+    store(v.z, z, lane);
+}
 HWY_INLINE void store(const Float3& v, LaneVectors& values, std::size_t lane) {
-    store(v.x, values.x, lane);
-    store(v.y, values.y, lane);
-    store(v.z, values.z, lane);
+    store(v, values.x, values.y, values.z, lane);
 }
 HWY_INLINE Float3 load(const LaneFloats& x, const LaneFloats& y, const LaneFloats& z,
                        std::size_t lane) {

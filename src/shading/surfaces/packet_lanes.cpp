@@ -9,6 +9,8 @@
 #include <hwy/highway.h>
 
 #include <array>
+#include <limits>
+#include <utility>
 
 #include "shading/surfaces/packet_lanes.hpp"
 
@@ -16,123 +18,109 @@ HWY_BEFORE_NAMESPACE();
 
 namespace balcony::render::packet_lanes::HWY_NAMESPACE {
 
-namespace lanes = hwy::HWY_NAMESPACE;
+#include "shading/lanes/registers.inl"
 
 using embree::Packet;
 
-using Floats = Packet::Floats Packet::*;
-using Integers = std::array<std::int32_t, Packet::size> Packet::*;
+// As many doubles as a row of a packet has, or those of two packets, if registers have so many.
+using Doubles = lanes::CappedTag<double, Packet::side>;
+using WideDoubles = lanes::CappedTag<double, 2 * Packet::side>;
+
+template <class D>
+HWY_INLINE Number<D> load(const double* values) {
+    return lanes::LoadU(D(), values);
+}
 
 // Stores the values of a row from a column on. If a register has those of two packets, each gets a
 // half.
-template <class Tag, class Vector, class Member>
-HWY_INLINE void store(Tag tag, Vector values, Member member, std::size_t row, std::size_t column,
-                      Packet* packets) {
+template <class D, class Value>
+HWY_INLINE void store(Number<D> values, std::array<Value, Packet::size> Packet::*member,
+                      std::size_t row, std::size_t column, Packet* packets) {
     constexpr std::size_t side = Packet::side;
-    auto* const to = (packets[column / side].*member).data() + row * side + column % side;
+    const lanes::Rebind<Value, D> tag_of_values;
+    const auto converted = lanes::DemoteTo(tag_of_values, values.v);
+    Value* const to = (packets[column / side].*member).data() + row * side + column % side;
 #if HWY_TARGET != HWY_SCALAR
-    if constexpr (lanes::MaxLanes(tag) > side) {
-        const lanes::Half<Tag> half;
-        lanes::Store(lanes::LowerHalf(half, values), half, to);
-        lanes::Store(lanes::UpperHalf(half, values), half,
+    if constexpr (lanes::MaxLanes(tag_of_values) > side) {
+        const lanes::Half<decltype(tag_of_values)> half;
+        lanes::Store(lanes::LowerHalf(half, converted), half, to);
+        lanes::Store(lanes::UpperHalf(half, converted), half,
                      (packets[column / side + 1].*member).data() + row * side);
         return;
     }
 #endif
-    lanes::Store(values, tag, to);
+    lanes::Store(converted, tag_of_values, to);
 }
 
-template <class Tag>
-HWY_INLINE void set_part(Tag tag, const rays::RayBatch::Arrays& rays, std::size_t i,
-                         std::size_t row, std::size_t column, Packet* packets) {
-    constexpr std::array<Floats, 3> origins{&Packet::origin_x, &Packet::origin_y,
-                                            &Packet::origin_z};
-    constexpr std::array<Floats, 3> directions{&Packet::direction_x, &Packet::direction_y,
-                                               &Packet::direction_z};
-    constexpr Integers valid = &Packet::valid;
-    const lanes::Rebind<float, Tag> floats;
-    const lanes::Rebind<std::int32_t, Tag> integers;
-    const auto one = lanes::Set(tag, 1.0);
-    const auto limit = lanes::Set(tag, embree::max_coordinate);
-    auto traceable = lanes::Eq(lanes::LoadU(tag, rays.valid + i), one);
-    auto square = lanes::Zero(tag);
+template <class D>
+HWY_INLINE void set_part(const rays::RayBatch::Arrays& rays, std::size_t i, std::size_t row,
+                         std::size_t column, Packet* packets) {
+    constexpr std::array origins{&Packet::origin_x, &Packet::origin_y, &Packet::origin_z};
+    constexpr std::array directions{&Packet::direction_x, &Packet::direction_y,
+                                    &Packet::direction_z};
+    Condition<D> traceable = load<D>(rays.valid + i) == 1.0;
+    Number<D> square = 0.0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto origin = lanes::LoadU(tag, rays.origin[axis] + i);
-        const auto direction = lanes::LoadU(tag, rays.direction[axis] + i);
-        traceable = lanes::And(traceable, lanes::Le(lanes::Abs(origin), limit));
-        square = lanes::Add(square, lanes::Mul(direction, direction));
-        store(floats, lanes::DemoteTo(floats, origin), origins[axis], row, column, packets);
-        store(floats, lanes::DemoteTo(floats, direction), directions[axis], row, column, packets);
+        const Number<D> origin = load<D>(rays.origin[axis] + i);
+        const Number<D> direction = load<D>(rays.direction[axis] + i);
+        traceable = both(traceable, absolute(origin) <= double{embree::max_coordinate});
+        square = square + direction * direction;
+        store(origin, origins[axis], row, column, packets);
+        store(direction, directions[axis], row, column, packets);
     }
-    traceable = lanes::And(traceable,
-                           lanes::Lt(lanes::Abs(lanes::Sub(square, one)), lanes::Set(tag, 1e-6)));
-    const auto flags = lanes::IfThenElseZero(traceable, lanes::Set(tag, -1.0));
-    store(integers, lanes::DemoteTo(integers, flags), valid, row, column, packets);
+    traceable = both(traceable, absolute(square - 1.0) < 1e-6);
+    store(or_zero(traceable, Number<D>(-1.0)), &Packet::valid, row, column, packets);
 }
 
 void set_rays(const rays::RayBatch::Arrays& rays, std::size_t first, std::size_t stride, float time,
               std::span<Packet> packets) {
-    constexpr std::size_t side = Packet::side;
-    const lanes::CappedTag<double, 2 * side> tag;
-    const lanes::CappedTag<double, side> tag_of_one;
-    const std::size_t width = packets.size() * side;
-    for (std::size_t row = 0; row < side; ++row) {
+    const std::size_t width = packets.size() * Packet::side;
+    for (std::size_t row = 0; row < Packet::side; ++row) {
         const std::size_t i = first + row * stride;
         std::size_t column = 0;
-        for (; column + lanes::Lanes(tag) <= width; column += lanes::Lanes(tag)) {
-            set_part(tag, rays, i + column, row, column, packets.data());
+        for (; column + lanes::Lanes(WideDoubles()) <= width;
+             column += lanes::Lanes(WideDoubles())) {
+            set_part<WideDoubles>(rays, i + column, row, column, packets.data());
         }
-        for (; column < width; column += lanes::Lanes(tag_of_one)) {
-            set_part(tag_of_one, rays, i + column, row, column, packets.data());
+        for (; column < width; column += lanes::Lanes(Doubles())) {
+            set_part<Doubles>(rays, i + column, row, column, packets.data());
         }
     }
-    const lanes::CappedTag<float, Packet::size> floats;
     for (Packet& packet : packets) {
-        for (std::size_t lane = 0; lane < Packet::size; lane += lanes::Lanes(floats)) {
-            lanes::Store(lanes::Set(floats, time), floats, packet.time.data() + lane);
-            lanes::Store(lanes::Inf(floats), floats, packet.farthest.data() + lane);
-        }
+        packet.time.fill(time);
+        packet.farthest.fill(std::numeric_limits<float>::infinity());
     }
 }
 
 void set_differentials(const rays::RayBatch::FootprintArrays& footprints, std::size_t first,
                        std::size_t stride, double part, Differentials& differentials) {
     using Arrays = std::array<const double*, 3>;
-    constexpr std::size_t side = Packet::side;
-    const lanes::CappedTag<double, side> tag;
-    const lanes::Rebind<float, decltype(tag)> floats;
-    const auto scale = lanes::Set(tag, part);
-    const auto limit = lanes::Set(tag, embree::max_coordinate);
-    const auto set = [&](std::size_t i, std::size_t lane, const Arrays& origin_by,
-                         const Arrays& direction_by, LaneVectors& origin, LaneVectors& direction) {
-        const auto scaled = [&](const double* values) {
-            return lanes::Mul(scale, lanes::LoadU(tag, values + i));
+    const auto set = [part](std::size_t i, std::size_t lane, const Arrays& origin_by,
+                            const Arrays& direction_by, LaneVectors& origin,
+                            LaneVectors& direction) {
+        const auto scaled = [&](const double* values) { return part * load<Doubles>(values + i); };
+        const auto in_range = [&](const Arrays& from) {
+            const auto is_small = [&](const double* values) {
+                return absolute(scaled(values)) <= double{embree::max_coordinate};
+            };
+            return both(is_small(from[0]), both(is_small(from[1]), is_small(from[2])));
         };
-        auto in_range = lanes::Le(lanes::Abs(scaled(origin_by[0])), limit);
-        const auto check = [&](const double* values) {
-            in_range = lanes::And(in_range, lanes::Le(lanes::Abs(scaled(values)), limit));
-        };
-        check(origin_by[1]);
-        check(origin_by[2]);
-        for (const double* values : direction_by) {
-            check(values);
-        }
-        const auto store = [&](const double* from, LaneFloats& to) {
-            const auto value = lanes::IfThenElseZero(in_range, scaled(from));
-            lanes::Store(lanes::DemoteTo(floats, value), floats, to.data() + lane);
-        };
+        const Condition<Doubles> kept = both(in_range(origin_by), in_range(direction_by));
         const auto store_all = [&](const Arrays& from, LaneVectors& to) {
-            store(from[0], to.x);
-            store(from[1], to.y);
-            store(from[2], to.z);
+            const lanes::Rebind<float, Doubles> floats;
+            for (const auto& [values, lane_floats] :
+                 {std::pair(from[0], &to.x), {from[1], &to.y}, {from[2], &to.z}}) {
+                lanes::Store(lanes::DemoteTo(floats, or_zero(kept, scaled(values)).v), floats,
+                             lane_floats->data() + lane);
+            }
         };
         store_all(origin_by, origin);
         store_all(direction_by, direction);
     };
-    for (std::size_t row = 0; row < side; ++row) {
-        for (std::size_t column = 0; column < side; column += lanes::Lanes(tag)) {
+    for (std::size_t row = 0; row < Packet::side; ++row) {
+        for (std::size_t column = 0; column < Packet::side; column += lanes::Lanes(Doubles())) {
             const std::size_t i = first + row * stride + column;
-            const std::size_t lane = row * side + column;
+            const std::size_t lane = row * Packet::side + column;
             set(i, lane, footprints.origin_by_x, footprints.direction_by_x, differentials.origin_x,
                 differentials.direction_x);
             set(i, lane, footprints.origin_by_y, footprints.direction_by_y, differentials.origin_y,
