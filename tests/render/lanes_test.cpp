@@ -13,7 +13,6 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include "film/sums/sample_sums.hpp"
 #include "render/embree/packet_setup.hpp"
@@ -28,21 +27,6 @@ namespace {
 
 using namespace test;
 using embree::Packet;
-
-// Runs a check on each instruction set of this machine that Balcony promises the same bits for.
-void on_each_target(const std::function<void()>& check) {
-    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-        if (target == HWY_SCALAR || target == HWY_EMU128) {
-            continue;
-        }
-        SCOPED_TRACE(hwy::TargetName(target));
-        hwy::SetSupportedTargetsForTest(target);
-        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-        check();
-    }
-    hwy::SetSupportedTargetsForTest(0);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-}
 
 template <class T>
 std::vector<std::byte> bytes_of(const T& value) {
@@ -206,39 +190,6 @@ void expect_same_bytes(const std::function<std::vector<std::byte>()>& check) {
         }
         EXPECT_EQ(found, expected);
     });
-}
-
-TEST(SurfaceLanes, FootprintsAreTheSameOnAllMachines) {
-    std::mt19937 random(13);
-    scene::Mesh mesh = random_mesh(random, false);
-    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-        const V3f place = random_vector(random);
-        mesh.texture_coordinates[0].emplace_back(place.x, place.y);
-    }
-    PlacedMesh placed{&mesh, {}, {}};
-    placed.world_from_mesh[1][0] = 0.7F;
-    scene::TextureUse use;
-    use.offset = {0.3F, -0.7F};
-    use.u_axis = {0.8F, 0.6F};
-    for (int trial = 0; trial < 50; ++trial) {
-        SCOPED_TRACE(trial);
-        Packet packet = random_packet(random, 2, trial % 3 == 0);
-        LaneVectors normals;
-        packet_lanes::Differentials differentials;
-        for (std::size_t lane = 0; lane < Packet::size; ++lane) {
-            packet.farthest[lane] = 1.0F;
-            normals.set(lane, random_vector(random));
-            differentials.set(lane, {random_vector(random), random_vector(random),
-                                     random_vector(random), random_vector(random)});
-        }
-        expect_same_bytes([&] {
-            texture_lanes::Footprints found;
-            surface_lanes::set_footprints(packet, 0x7ff3U, placed, normals, differentials, use,
-                                          found);
-            EXPECT_NE(found.along_x.of(0), V2f(0.0F));
-            return bytes_of(found);
-        });
-    }
 }
 
 TEST(SurfaceLanes, LightIsTheSameOnAllMachines) {

@@ -9,10 +9,25 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
+#include <hwy/targets.h>
 
 #include "balcony/motion.hpp"
 
 namespace balcony::render::test {
+
+void on_each_target(const std::function<void()>& check) {
+    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+        if (target == HWY_SCALAR || target == HWY_EMU128) {
+            continue;
+        }
+        SCOPED_TRACE(hwy::TargetName(target));
+        hwy::SetSupportedTargetsForTest(target);
+        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+        check();
+    }
+    hwy::SetSupportedTargetsForTest(0);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+}
 
 namespace {
 

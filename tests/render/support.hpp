@@ -19,6 +19,9 @@ namespace balcony::render::test {
 
 using Imath::V3d;
 
+/// Runs a check on each instruction set of this machine that Balcony promises the same bits for.
+void on_each_target(const std::function<void()>& check);
+
 // ------------------------------------------------------------------------------------ cameras
 
 /// A ray of a test camera as formulas of u = -1 .. 1 (left to right), v = -1 .. 1 (bottom to top).

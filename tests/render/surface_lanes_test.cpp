@@ -5,7 +5,7 @@
 
 #include "shading/surfaces/surface_lanes.hpp"
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -106,7 +106,6 @@ TEST(SurfaceLanes, FootprintsAreThoseOfEachRay) {
         const bool one_triangle = trial % 4 < 2;
         const std::uint32_t lanes = trial % 8 < 4 ? 0xffffU : 0x5e1bU;
         Packet packet;
-        LaneVectors normals;
         packet_lanes::Differentials differentials;
         for (std::size_t lane = 0; lane < Packet::size; ++lane) {
             packet.valid[lane] = -1;
@@ -122,40 +121,83 @@ TEST(SurfaceLanes, FootprintsAreThoseOfEachRay) {
             do {
                 direction = random_vector(random).normalized();
             } while (std::abs(direction.dot(surface.geometric_normal)) < 0.2F);
-            const float distance = 1.0F + share(random);
-            packet.set(lane, {.origin = surface.position - distance * direction,
-                              .direction = direction,
-                              .farthest = distance});
-            normals.set(lane, surface.edge_1.cross(surface.edge_2));
+            packet.set(lane, {.origin = surface.position - (1.0F + share(random)) * direction,
+                              .direction = direction});
             differentials.set(lane, {random_vector(random), random_vector(random),
                                      random_vector(random), random_vector(random)});
         }
 
-        texture_lanes::Footprints found;
-        surface_lanes::set_footprints(packet, lanes, mesh, normals, differentials, use, found);
-        for (std::size_t lane = 0; lane < Packet::size; ++lane) {
-            const auto expect_near = [&](const V2f& place, const V2f& expected) {
-                // A length of up to ten is divided by a cosine of at least 0.2 and measured in
-                // edges of at least 0.2; some thirty roundings.
-                const float tolerance = 1e-4F * std::max(1.0F, expected.length());
-                EXPECT_NEAR(place.x, expected.x, tolerance)
-                    << "trial " << trial << ", lane " << lane;
-                EXPECT_NEAR(place.y, expected.y, tolerance)
-                    << "trial " << trial << ", lane " << lane;
-            };
-            TextureFootprint expected{V2f(texture_lanes::middle), V2f(0.0F), V2f(0.0F)};
-            if ((lanes >> lane & 1U) != 0) {
-                const DifferentialRay ray{packet.origin(lane), packet.direction(lane),
-                                          differentials.of(lane)};
-                const Surface surface = surfaces.find(packet.hit(lane), ray.direction);
-                expected = surface.in_mesh.texture_footprint(
-                    use, surface.triangle_footprint(surface.transfer(ray)));
+        on_each_target([&] {
+            texture_lanes::Footprints found;
+            surface_lanes::set_footprints(packet, lanes, mesh, differentials, use, found);
+            for (std::size_t lane = 0; lane < Packet::size; ++lane) {
+                SCOPED_TRACE(lane);
+                TextureFootprint expected{V2f(texture_lanes::middle), V2f(0.0F), V2f(0.0F)};
+                if ((lanes >> lane & 1U) != 0) {
+                    const DifferentialRay ray{packet.origin(lane), packet.direction(lane),
+                                              differentials.of(lane)};
+                    const Surface surface = surfaces.find(packet.hit(lane), ray.direction);
+                    expected = surface.in_mesh.texture_footprint(
+                        use, surface.triangle_footprint(surface.transfer(ray)));
+                    EXPECT_NE(expected.along_x, V2f(0.0F));
+                }
+                EXPECT_EQ(found.at.of(lane), expected.at);
+                EXPECT_EQ(found.along_x.of(lane), expected.along_x);
+                EXPECT_EQ(found.along_y.of(lane), expected.along_y);
             }
-            expect_near(found.at.of(lane), expected.at);
-            expect_near(found.along_x.of(lane), expected.along_x);
-            expect_near(found.along_y.of(lane), expected.along_y);
-        }
+        });
     }
+}
+
+// Among the normals of corners are some that face away from the viewer, are short, or cancel.
+TEST(SurfaceLanes, CosinesAreThoseOfEachRay) {
+    std::mt19937 random(17);
+    std::uniform_real_distribution<float> share(0.0F, 0.5F);
+    scene::M44d matrix;
+    matrix.setScale(V3d(2.0, 0.5, -1.5));
+    matrix.rotate(V3d(0.4, -0.3, 0.8));
+    std::size_t bent = 0;
+    for (int trial = 0; trial < 60; ++trial) {
+        SCOPED_TRACE(trial);
+        scene::Scene scene;
+        scene::Mesh mesh = strip(random);
+        for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+            mesh.normals.push_back((trial % 5 == 0 ? 1e-15F : 1.0F) * random_vector(random));
+        }
+        add(scene, mesh, white(), trial % 2 == 0 ? matrix : scene::M44d());
+        const SurfaceFinder surfaces(scene);
+        surface_lanes::Look look;
+        look.is_plain = look.is_smooth = true;
+        look.base_color = Imath::Color3f(1.0F);
+        look.mesh = *surfaces.mesh_at_rest(0);
+        Packet packet;
+        std::array<float, Packet::size> expected{};
+        for (std::size_t lane = 0; lane < Packet::size; ++lane) {
+            packet.set(lane,
+                       {.origin = V3f(0.0F), .direction = random_vector(random).normalized()});
+            packet.geometry[lane] = 0;
+            packet.placement[lane] = embree::Hit::nothing;
+            packet.triangle[lane] =
+                trial % 3 == 0 ? 3 : static_cast<std::uint32_t>(random() % mesh.triangles.size());
+            packet.u[lane] = share(random);
+            packet.v[lane] = share(random);
+            const V3f direction = packet.direction(lane);
+            const Surface surface = surfaces.find(packet.hit(lane), direction);
+            const V3f normal = surface.edge_1.cross(surface.edge_2);
+            packet.normal_x[lane] = normal.x;
+            packet.normal_y[lane] = normal.y;
+            packet.normal_z[lane] = normal.z;
+            expected[lane] = std::abs(surface.smooth_normal.dot(direction));
+            bent += expected[lane] < 1.1e-3F ? 1 : 0;
+        }
+        on_each_target([&] {
+            surface_lanes::Lit lit{};
+            surface_lanes::Radiances radiances{};
+            surface_lanes::light(packet, std::span(&look, 1), lit, radiances);
+            EXPECT_EQ(radiances.color.x, expected);
+        });
+    }
+    EXPECT_GT(bent, 50U);
 }
 
 TEST(SurfaceLanes, EachHitIsInTheGroupOfItsInstance) {

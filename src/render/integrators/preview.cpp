@@ -67,8 +67,8 @@ private:
     void set_textured(const Packet& packet, const Group& group,
                       const packet_lanes::Differentials& differentials, Radiances& radiances) {
         const Look& look = looks_[group.instance];
-        surface_lanes::set_footprints(packet, group.lanes, look.mesh, lit_.normals, differentials,
-                                      *look.texture, footprints_);
+        surface_lanes::set_footprints(packet, group.lanes, look.mesh, differentials, *look.texture,
+                                      footprints_);
         textures_->look_up(look.texture->index, look.texture->encoding, footprints_, texels_);
         surface_lanes::set_radiances(group.lanes, look, lit_.cosines, texels_, radiances);
     }

@@ -9,19 +9,10 @@
 
 #include "images/luminance.hpp"
 #include "shading/geometry/closed_surface.hpp"
+#include "shading/geometry/placed.hpp"
 #include "shading/textures/texture_library.hpp"
 
 namespace balcony::render {
-
-namespace {
-
-V3f placed(const V3f& p, const Imath::M44f& m) {
-    return {p.x * m[0][0] + p.y * m[1][0] + p.z * m[2][0] + m[3][0],
-            p.x * m[0][1] + p.y * m[1][1] + p.z * m[2][1] + m[3][1],
-            p.x * m[0][2] + p.y * m[1][2] + p.z * m[2][2] + m[3][2]};
-}
-
-}  // namespace
 
 bool emits(const scene::Material& material) {
     const Color3f& e = material.emission;

@@ -9,6 +9,7 @@
 #include <limits>
 #include <optional>
 
+#include "shading/geometry/placed.hpp"
 #include "shading/lanes/scalar.hpp"
 
 namespace balcony::render {
@@ -21,25 +22,10 @@ float max_coordinate(const V3f& p) {
     return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
 }
 
-// A shading normal that faces away from the viewer is bent until it is just above the horizon.
-V3f bent_towards(const V3f& normal, const V3f& to_viewer) {
-    constexpr float min_cosine = 1e-3F;
-    const float cosine = normal.dot(to_viewer);
-    return cosine >= min_cosine ? normal
-                                : (normal + (min_cosine - cosine) * to_viewer).normalized();
-}
-
-// Imath's own product divides by the last coordinate, which is 1 here.
-V3f placed(const V3f& p, const Imath::M44f& m) {
-    return {p.x * m[0][0] + p.y * m[1][0] + p.z * m[2][0] + m[3][0],
-            p.x * m[0][1] + p.y * m[1][1] + p.z * m[2][1] + m[3][1],
-            p.x * m[0][2] + p.y * m[1][2] + p.z * m[2][2] + m[3][2]};
-}
-
 // A corner of the triangle, and its share in the point that is hit.
 struct Corner {
     V3f position;
-    V3f normal;  // Of any length.
+    V3f normal;  // Of the mesh, of any length.
     float share;
 };
 
@@ -48,10 +34,11 @@ struct Corner {
 // point is projected to the tangent planes of the corners, where it is below them, and the
 // projections are interpolated; the shares of the unprojected points cancel. Where the surface is
 // flat or concave, the vector is 0.
-V3f to_smooth_surface(const std::array<Corner, 3>& corners, const V3f& position, float side) {
+V3f to_smooth_surface(const std::array<Corner, 3>& corners, const Imath::M33f& normal_from_mesh,
+                      const V3f& position, float side) {
     V3f total(0.0F);
     for (const Corner& corner : corners) {
-        const V3f normal = side * corner.normal;
+        const V3f normal = side * placed(corner.normal, normal_from_mesh);
         const float below = std::min((position - corner.position).dot(normal), 0.0F);
         const float square = normal.length2();
         total -= square > 0.0F ? corner.share * below / square * normal : V3f(0.0F);
@@ -59,47 +46,35 @@ V3f to_smooth_surface(const std::array<Corner, 3>& corners, const V3f& position,
     return total;
 }
 
-// The interpolated normal, of length 1 or 0.
-V3f interpolated_normal(const std::array<Corner, 3>& corners) {
-    V3f sum(0.0F);
-    for (const Corner& corner : corners) {
-        sum += corner.share * corner.normal;
-    }
-    return sum.normalized();
+// Whether the normals of the corners are that of the triangle, as on walls.
+bool is_flat(const std::array<Corner, 3>& corners, const V3f& normal, const V3f& outside) {
+    constexpr float same = 1.0F - 5e-7F;  // A tilt of a thousandth.
+    return corners[0].normal == corners[1].normal && corners[0].normal == corners[2].normal &&
+           normal.dot(outside) > same;
 }
 
-// -1 if a normal of the mesh is on the other side than the viewer.
-float side_of(const V3f& mesh_normal, const V3f& geometric_normal) {
-    return mesh_normal.dot(geometric_normal) < 0.0F ? -1.0F : 1.0F;
-}
-
-// Sets the smooth normal, on the side of the viewer.
-void set_normal(const std::array<Corner, 3>& corners, const V3f& to_viewer, Surface& surface) {
-    const V3f unit = interpolated_normal(corners);
-    if (!(unit.length2() > 0.0F)) {
+// Sets what the normals of the corners tell, unless they cancel.
+void set_normals(const std::array<Corner, 3>& corners, const Imath::M33f& normal_from_mesh,
+                 const V3f& to_viewer, Surface& surface) {
+    const V3f sum = placed(interpolated(corners[1].share, corners[2].share, corners[0].normal,
+                                        corners[1].normal, corners[2].normal),
+                           normal_from_mesh);
+    if (!has_length(sum)) {
         return;
     }
-    surface.mesh_normal = unit;
-    const float side = side_of(unit, surface.geometric_normal);
-    surface.smooth_normal = bent_towards(side * unit, to_viewer);
+    const V3f outside = surface.mesh_normal;
+    const V3f normal = unit_of(sum);
+    surface.mesh_normal = normal;
+    surface.smooth_normal = shading_normal(normal, surface.geometric_normal, to_viewer);
     surface.normal = surface.coat_normal = surface.smooth_normal;
-    const V3f out = to_smooth_surface(corners, surface.position, side);
+    if (is_flat(corners, normal, outside)) {
+        return;
+    }
+    const float side = side_to_viewer(normal, surface.geometric_normal, to_viewer);
+    const V3f out = to_smooth_surface(corners, normal_from_mesh, surface.position, side);
     if (std::isfinite(out.length2())) {
         surface.rounding_out = out;
     }
-}
-
-// Whether the normals of the corners are that of the triangle, as on walls, so that nothing is to
-// be interpolated.
-bool is_flat(const std::array<V3f, 3>& normals, const V3f& outside,
-             const Imath::M33f& normal_from_mesh) {
-    if (normals[0] != normals[1] || normals[0] != normals[2]) {
-        return false;
-    }
-    constexpr float same = 1.0F - 1e-6F;  // Of a squared cosine: a tilt of a thousandth.
-    const V3f normal = normals[0] * normal_from_mesh;
-    const float along = normal.dot(outside);
-    return along > 0.0F && along * along > same * normal.length2();
 }
 
 }  // namespace
@@ -120,7 +95,7 @@ TextureFootprint MeshPoint::texture_footprint(const scene::TextureUse& use,
     const std::vector<V2f>& coordinates = mesh->texture_coordinates[use.coordinates];
     const V2f first = coordinates.empty() ? V2f(0.0F) : coordinates[mesh->triangles[triangle][0]];
     const std::array<V2f, 2> edges = texture_edges(use);
-    return {point_in_image(use.place(first), u, v, edges[0], edges[1]),
+    return {point_on(use.place(first), u, v, edges[0], edges[1]),
             slope_in_image(footprint.along_x, edges[0], edges[1]),
             slope_in_image(footprint.along_y, edges[0], edges[1])};
 }
@@ -145,20 +120,15 @@ PositionDifferentials Surface::transfer(const DifferentialRay& ray) const {
     const float along_normal = ray.direction.dot(geometric_normal);
     const float length = (position - ray.origin).dot(ray.direction);
     const auto on_plane = [&](const V3f& origin, const V3f& direction) {
-        return onto_plane(origin + length * direction, geometric_normal, along_normal,
-                          ray.direction);
+        return moved_on_plane(origin, direction, length, ray.direction, geometric_normal,
+                              along_normal);
     };
     const RayDifferentials& d = ray.differentials;
     return {on_plane(d.origin_x, d.direction_x), on_plane(d.origin_y, d.direction_y)};
 }
 
 TriangleFootprint Surface::triangle_footprint(const PositionDifferentials& moved) const {
-    const V3f across = edge_1.cross(edge_2);
-    const float square = across.length2();
-    const auto on_triangle = [&](const V3f& along) {
-        return V2f(along.cross(edge_2).dot(across), edge_1.cross(along).dot(across)) / square;
-    };
-    return {on_triangle(moved.along_x), on_triangle(moved.along_y)};
+    return {in_triangle(moved.along_x, edge_1, edge_2), in_triangle(moved.along_y, edge_1, edge_2)};
 }
 
 // The tangent points to the right of the image, the bitangent to its top, where v is least. Both
@@ -183,7 +153,8 @@ V3f Surface::mapped_normal(const V3f& in_tangent_space, const scene::TextureUse&
     if (!std::isfinite(mapped.length2()) || !(mapped.length2() > 0.0F)) {
         return smooth_normal;
     }
-    return bent_towards(side_of(mesh_normal, geometric_normal) * mapped, to_viewer);
+    return bent_to_viewer(side_to_viewer(mesh_normal, geometric_normal, to_viewer) * mapped,
+                          to_viewer);
 }
 
 SurfaceFinder::SurfaceFinder(const scene::Scene& scene, const scene::Movement& movement)
@@ -260,7 +231,7 @@ Surface SurfaceFinder::find(const embree::Hit& hit, const V3f& direction, float 
 
     surface.edge_1 = p1 - p0;
     surface.edge_2 = p2 - p0;
-    surface.position = p0 + hit.u * surface.edge_1 + hit.v * surface.edge_2;
+    surface.position = point_on(p0, hit.u, hit.v, surface.edge_1, surface.edge_2);
     // Eight rounding errors of the largest number used to compute the point or to intersect the
     // triangle from it.
     surface.offset = 8.0F * std::numeric_limits<float>::epsilon() *
@@ -274,18 +245,12 @@ Surface SurfaceFinder::find(const embree::Hit& hit, const V3f& direction, float 
     surface.mesh_normal = outside;
     surface.rounding_out = V3f(0.0F);
     if (!m.normals.empty()) {
-        const auto in_mesh = [&](std::size_t i) {
-            return shape ? shape->normals[i] : m.normals[triangle[i]];
+        const auto corner = [&](std::size_t i, const V3f& p, float share) {
+            return Corner{p, shape ? shape->normals[i] : m.normals[triangle[i]], share};
         };
-        const std::array<V3f, 3> normals{in_mesh(0), in_mesh(1), in_mesh(2)};
-        if (!is_flat(normals, outside, placement.normal_from_mesh)) {
-            const auto corner = [&](std::size_t i, const V3f& p, float share) {
-                return Corner{p, normals[i] * placement.normal_from_mesh, share};
-            };
-            set_normal(
-                {corner(0, p0, 1.0F - hit.u - hit.v), corner(1, p1, hit.u), corner(2, p2, hit.v)},
-                -direction, surface);
-        }
+        set_normals(
+            {corner(0, p0, 1.0F - hit.u - hit.v), corner(1, p1, hit.u), corner(2, p2, hit.v)},
+            placement.normal_from_mesh, -direction, surface);
     }
     if (!m.tangents.empty()) {
         surface.tangent = placed_tangent(surface.in_mesh, placement);
@@ -302,11 +267,7 @@ std::optional<PlacedMesh> SurfaceFinder::mesh_at_rest(std::uint32_t instance) co
         return std::nullopt;
     }
     const Placement& placement = placements_[instance];
-    const Imath::M44f& m = placement.world_from_mesh;
-    return PlacedMesh{
-        placement.mesh,
-        {m[0][0], m[0][1], m[0][2], m[1][0], m[1][1], m[1][2], m[2][0], m[2][1], m[2][2]},
-        placement.normal_from_mesh};
+    return PlacedMesh{placement.mesh, placement.world_from_mesh, placement.normal_from_mesh};
 }
 
 }  // namespace balcony::render

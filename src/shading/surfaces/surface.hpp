@@ -112,8 +112,8 @@ struct Surface {
 /// A mesh that is placed in the world and does not move.
 struct PlacedMesh {
     const scene::Mesh* mesh = nullptr;
-    Imath::M33f world_from_mesh;   ///< For vectors.
-    Imath::M33f normal_from_mesh;  ///< For normals: its inverse, transposed.
+    Imath::M44f world_from_mesh;
+    Imath::M33f normal_from_mesh;  ///< For normals: the inverse, transposed.
 };
 
 /// Computes surfaces from hits.

@@ -8,6 +8,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include <array>
 #include <bit>
 
 #include "shading/surfaces/surface_lanes.hpp"
@@ -18,6 +19,7 @@ namespace balcony::render::surface_lanes::HWY_NAMESPACE {
 
 #include "shading/lanes/registers.inl"
 
+#include "shading/geometry/placed.inl"
 #include "shading/surfaces/surface.inl"
 
 using embree::Packet;
@@ -25,9 +27,8 @@ using embree::Packet;
 HWY_INLINE Float2 constant(const V2f& v) { return {v.x, v.y}; }
 HWY_INLINE Float3 constant(const Imath::Color3f& v) { return {v.x, v.y, v.z}; }
 
-HWY_INLINE Float3 placed(const Float3& v, const Imath::M33f& m) {
-    const auto component = [&](int j) { return v.x * m[0][j] + v.y * m[1][j] + v.z * m[2][j]; };
-    return {component(0), component(1), component(2)};
+HWY_INLINE Float3 origin_of(const Packet& packet, std::size_t lane) {
+    return load(packet.origin_x, packet.origin_y, packet.origin_z, lane);
 }
 
 HWY_INLINE Float3 direction_of(const Packet& packet, std::size_t lane) {
@@ -184,23 +185,11 @@ HWY_INLINE Float flat_cosine(const Float3& normal, const Float3& direction) {
     return absolute(dot(scaled, direction)) / root(dot(scaled, scaled));
 }
 
-// The normal for shading is on the side of the geometric normal that faces the viewer, and just
-// above the horizon if it faces away from the viewer. Where it is 0, the surface is flat.
+// The same with the normals for shading, of interpolated ones of any length. Where these are 0, the
+// surface is flat.
 HWY_INLINE Float smooth_cosine(const Float3& flat, const Float3& smooth, const Float3& direction) {
-    const Float min_cosine = 1e-3F;
-    const Float square = dot(smooth, smooth);
-    const Where has_normal = square > 0.0F;
-    const Float towards = dot(smooth, direction) / root(select(has_normal, square, 1.0F));
-    // Negative where the two normals are on different sides of the triangle as the ray sees it.
-    const auto sides = lanes::Xor(dot(flat, smooth).v, dot(flat, direction).v);
-    const Float cosine = lanes::IfNegativeThenElse(sides, (-towards).v, towards.v);
-    const Where bends = both(has_normal, !(cosine >= min_cosine));
-    Float shown = cosine;
-    if (any(bends)) {
-        const Float missing = min_cosine - cosine;
-        const Float bent_square = 1.0F + missing * (cosine + cosine + missing);
-        shown = select(bends, min_cosine / root(bent_square), cosine);
-    }
+    const Where has_normal = has_length(smooth);
+    const Float shown = absolute(dot(shading_normal(unit_of(smooth), flat, -direction), direction));
     return all(has_normal) ? shown : select(has_normal, shown, flat_cosine(flat, direction));
 }
 
@@ -209,8 +198,8 @@ HWY_INLINE Float2 in_image(const scene::TextureUse& use, const Float2& uv) {
 }
 
 void set_footprints(const Packet& packet, LaneBits bits, const PlacedMesh& mesh,
-                    const LaneVectors& normals, const packet_lanes::Differentials& differentials,
-                    const scene::TextureUse& use, texture_lanes::Footprints& footprints) {
+                    const packet_lanes::Differentials& differentials, const scene::TextureUse& use,
+                    texture_lanes::Footprints& footprints) {
     footprints = {};
     const std::vector<V3f>& positions = mesh.mesh->positions;
     const std::vector<V2f>& coordinates = mesh.mesh->texture_coordinates[use.coordinates];
@@ -221,36 +210,34 @@ void set_footprints(const Packet& packet, LaneBits bits, const PlacedMesh& mesh,
                 store(where, offset, footprints.at, lane);
                 return;
             }
-            const auto edge = [&](const auto& values, std::size_t corner) {
-                return corner_of(corners, values, corner) - corner_of(corners, values, 0);
+            const auto corner = [&](std::size_t i) {
+                return placed(corner_of(corners, positions, i), mesh.world_from_mesh);
             };
-            const Float3 edge_1 = placed(edge(positions, 1), mesh.world_from_mesh);
-            const Float3 edge_2 = placed(edge(positions, 2), mesh.world_from_mesh);
-            const Float3 across = cross(edge_1, edge_2);
-            const Float square = dot(across, across);
-            const Float3 to_u = cross(edge_2, across);
-            const Float3 to_v = cross(across, edge_1);
-            const Float3 normal = load(normals, lane);
+            const Float3 first = corner(0);
+            const Float3 edge_1 = corner(1) - first;
+            const Float3 edge_2 = corner(2) - first;
+            const Float u = load(packet.u, lane);
+            const Float v = load(packet.v, lane);
             const Float3 direction = direction_of(packet, lane);
-            const Float cosine = dot(normal, direction);
-            const Float distance = load(packet.farthest, lane);
-            const auto on_triangle = [&](const Float3& origin, const Float3& turned) {
-                const Float3 along =
-                    onto_plane(origin + distance * turned, normal, cosine, direction);
-                return Float2{dot(along, to_u) / square, dot(along, to_v) / square};
+            const Float3 normal = unit(cross(edge_1, edge_2));
+            const Float length =
+                dot(point_on(first, u, v, edge_1, edge_2) - origin_of(packet, lane), direction);
+            const Float cosine = dot(direction, normal);
+            const Float2 first_in_image = corner_of(corners, coordinates, 0);
+            const auto edge_in_image = [&](std::size_t i) {
+                return in_image(use, corner_of(corners, coordinates, i) - first_in_image);
             };
-            const Float2 image_1 = in_image(use, edge(coordinates, 1));
-            const Float2 image_2 = in_image(use, edge(coordinates, 2));
-            const Float2 first = offset + in_image(use, corner_of(corners, coordinates, 0));
-            const auto store_slope = [&](const LaneVectors& origin, const LaneVectors& turned,
-                                         LanePairs& slopes) {
-                const Float2 along = on_triangle(load(origin, lane), load(turned, lane));
-                store(where, slope_in_image(along, image_1, image_2), slopes, lane);
+            const Float2 image_1 = edge_in_image(1);
+            const Float2 image_2 = edge_in_image(2);
+            const auto store_slope = [&](const LaneVectors& origin_by,
+                                         const LaneVectors& direction_by, LanePairs& slopes) {
+                const Float3 moved = moved_on_plane(load(origin_by, lane), load(direction_by, lane),
+                                                    length, direction, normal, cosine);
+                store(where, slope_in_image(in_triangle(moved, edge_1, edge_2), image_1, image_2),
+                      slopes, lane);
             };
-            store(
-                where,
-                point_in_image(first, load(packet.u, lane), load(packet.v, lane), image_1, image_2),
-                footprints.at, lane);
+            store(where, point_on(offset + in_image(use, first_in_image), u, v, image_1, image_2),
+                  footprints.at, lane);
             store_slope(differentials.origin_x, differentials.direction_x, footprints.along_x);
             store_slope(differentials.origin_y, differentials.direction_y, footprints.along_y);
         });
@@ -273,7 +260,6 @@ HWY_INLINE void light_group(const Packet& packet, LaneBits bits, const Look& loo
                 : flat_cosine(normal, direction);
         if (look.texture != nullptr) {
             store(where, cosine, lit.cosines, lane);
-            store(where, normal, lit.normals, lane);
             continue;
         }
         store(where, constant(look.emission) + cosine * constant(look.base_color), radiances.color,
@@ -306,6 +292,37 @@ void set_radiances(LaneBits bits, const Look& look, const LaneFloats& cosines,
     }
 }
 
+LaneCounts write(const Packet& packet, const Radiances& radiances, LaneBits counted,
+                 std::size_t stride, Imath::Color4f* to, std::uint64_t& broken) {
+    alignas(64) std::array<Imath::Color4f, Packet::size> colors;
+    LaneBits visible = 0;
+    LaneBits missing = 0;
+    for (std::size_t lane = 0; lane < Packet::size; lane += lanes::Lanes(tag)) {
+        const Float3 color = load(radiances.color, lane);
+        const Float alpha = load(radiances.alpha, lane);
+        const Where finite = both(both(is_finite(color.x), is_finite(color.y)),
+                                  both(is_finite(color.z), is_finite(alpha)));
+        const Float3 shown = or_zero(finite, color);
+        const Float shown_alpha = or_zero(finite, alpha);
+        lanes::StoreInterleaved4(shown.x.v, shown.y.v, shown.z.v, shown_alpha.v, tag,
+                                 &colors[lane].r);
+        broken += lanes::CountTrue(tag, (!finite).m);
+        visible |= bits_of(shown_alpha > 0.0F, lane);
+        missing |= bits_of(Int(lanes::Load(int_tag, packet.valid.data() + lane)) == 0, lane);
+    }
+    LaneCounts counts;
+    counts.shown = static_cast<std::size_t>(std::popcount(visible & counted));
+    counts.missing = static_cast<std::size_t>(std::popcount(missing & counted));
+    const lanes::CappedTag<float, 4 * Packet::side> row_tag;
+    for (std::size_t row = 0; row < Packet::side; ++row) {
+        for (std::size_t k = 0; k < 4 * Packet::side; k += lanes::Lanes(row_tag)) {
+            lanes::StoreU(lanes::Load(row_tag, &colors[row * Packet::side].r + k), row_tag,
+                          &to[row * stride].r + k);
+        }
+    }
+    return counts;
+}
+
 }  // namespace balcony::render::surface_lanes::HWY_NAMESPACE
 
 HWY_AFTER_NAMESPACE();
@@ -318,16 +335,16 @@ HWY_EXPORT(find_groups);
 HWY_EXPORT(set_footprints);
 HWY_EXPORT(light);
 HWY_EXPORT(set_radiances);
+HWY_EXPORT(write);
 
 void find_groups(const embree::Packet& packet, Groups& groups) {
     HWY_DYNAMIC_DISPATCH(find_groups)(packet, groups);
 }
 
 void set_footprints(const embree::Packet& packet, LaneBits lanes, const PlacedMesh& mesh,
-                    const LaneVectors& normals, const packet_lanes::Differentials& differentials,
-                    const scene::TextureUse& use, texture_lanes::Footprints& footprints) {
-    HWY_DYNAMIC_DISPATCH(set_footprints)
-    (packet, lanes, mesh, normals, differentials, use, footprints);
+                    const packet_lanes::Differentials& differentials, const scene::TextureUse& use,
+                    texture_lanes::Footprints& footprints) {
+    HWY_DYNAMIC_DISPATCH(set_footprints)(packet, lanes, mesh, differentials, use, footprints);
 }
 
 void light(const embree::Packet& packet, std::span<const Look> looks, Lit& lit,
@@ -338,6 +355,11 @@ void light(const embree::Packet& packet, std::span<const Look> looks, Lit& lit,
 void set_radiances(LaneBits lanes, const Look& look, const LaneFloats& cosines,
                    const LaneVectors& texels, Radiances& radiances) {
     HWY_DYNAMIC_DISPATCH(set_radiances)(lanes, look, cosines, texels, radiances);
+}
+
+LaneCounts write(const embree::Packet& packet, const Radiances& radiances, LaneBits counted,
+                 std::size_t stride, Imath::Color4f* to, std::uint64_t& broken) {
+    return HWY_DYNAMIC_DISPATCH(write)(packet, radiances, counted, stride, to, broken);
 }
 
 }  // namespace balcony::render::surface_lanes

@@ -15,7 +15,6 @@
 #include "balcony/scene.hpp"
 #include "shading/geometry/ray.hpp"
 #include "shading/surfaces/packet_lanes.hpp"
-#include "shading/surfaces/radiance_lanes.hpp"
 #include "shading/surfaces/surface.hpp"
 #include "shading/textures/texture_lanes.hpp"
 
@@ -46,13 +45,12 @@ void find_groups(const embree::Packet& packet, Groups& groups);
 /// The largest number of triangles and of vertices of a mesh for the following functions.
 inline constexpr std::size_t max_mesh_size = std::size_t{1} << 29U;
 
-/// Sets the footprints of a group in the image of a use of a texture, as
-/// Surface::triangle_footprint() and MeshPoint::texture_footprint() for one, up to rounding errors;
-/// those of the other lanes become points in the middle of the image. The normals are those of the
-/// triangles in the world, of any length and on any side.
+/// Sets the footprints of a group in the image of a use of a texture, as Surface::transfer(),
+/// triangle_footprint() and MeshPoint::texture_footprint() for one, bit for bit; those of the other
+/// lanes become points in the middle of the image.
 void set_footprints(const embree::Packet& packet, LaneBits lanes, const PlacedMesh& mesh,
-                    const LaneVectors& normals, const packet_lanes::Differentials& differentials,
-                    const scene::TextureUse& use, texture_lanes::Footprints& footprints);
+                    const packet_lanes::Differentials& differentials, const scene::TextureUse& use,
+                    texture_lanes::Footprints& footprints);
 
 /// How an instance looks that is lit from the origins of rays.
 struct Look {
@@ -64,13 +62,22 @@ struct Look {
     PlacedMesh mesh{};
 };
 
+/// The radiances of the rays of a packet.
+struct alignas(64) Radiances {
+    LaneVectors color;
+    LaneFloats alpha{};
+
+    void set(std::size_t lane, const Imath::Color4f& radiance) {
+        color.set(lane, {radiance.r, radiance.g, radiance.b});
+        alpha[lane] = radiance.a;
+    }
+};
+
 /// A packet lit from the origins of its rays.
 struct alignas(64) Lit {
-    /// Of groups with a texture. The cosines are those between the rays and the normal for
-    /// shading, which is never negative: as with Surface::smooth_normal. Defined where the normal
-    /// of the triangle is not 0.
+    /// Of groups with a texture: those between the rays and the normal for shading, as with
+    /// Surface::smooth_normal. Defined where the normal of the triangle is not 0.
     LaneFloats cosines;
-    LaneVectors normals;  ///< As for set_footprints().
     Groups groups;
 };
 
@@ -83,5 +90,16 @@ void light(const embree::Packet& packet, std::span<const Look> looks, Lit& lit,
 /// cosines, the base colour.
 void set_radiances(LaneBits lanes, const Look& look, const LaneFloats& cosines,
                    const LaneVectors& texels, Radiances& radiances);
+
+/// The numbers of some lanes of a packet.
+struct LaneCounts {
+    std::size_t missing = 0;  ///< There is no ray.
+    std::size_t shown = 0;    ///< Something is seen: alpha is above 0.
+};
+
+/// Writes the radiances of a packet as a square of colours whose rows are `stride` apart; black
+/// where one is not finite, which is counted in `broken`. Other counts are of these lanes.
+LaneCounts write(const embree::Packet& packet, const Radiances& radiances, LaneBits counted,
+                 std::size_t stride, Imath::Color4f* to, std::uint64_t& broken);
 
 }  // namespace balcony::render::surface_lanes
