@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <stop_token>
 #include <string>
 
 #include <Imath/ImathColor.h>
@@ -31,8 +32,9 @@ class Environment {
 public:
     /// Reads an equirectangular picture: linear light from EXR, HDR or other files of floats, sRGB
     /// from the others. Pixels that are negative, infinite or not a number are replaced, with a
-    /// warning that counts them.
-    [[nodiscard]] static Result<Environment> load(const std::filesystem::path& file);
+    /// warning that counts them. A stop is an error of Kind::interrupted.
+    [[nodiscard]] static Result<Environment> load(const std::filesystem::path& file,
+                                                  const std::stop_token& stop = {});
     /// The same radiance from everywhere.
     [[nodiscard]] static Environment constant(const Imath::Color3f& radiance);
 

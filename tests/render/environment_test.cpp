@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <limits>
 #include <numbers>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -131,6 +132,16 @@ float luminance_of_sky(const Sky& sky, const V3f& direction) {
     const Result<Environment> made = Environment::sky(sky);
     EXPECT_TRUE(made);
     return luminance(lit_by(*made).radiance_from(direction.normalized()));
+}
+
+TEST(Environment, LoadingObeysAStop) {
+    const PictureFile picture("stopped.exr", 2, 1, std::vector<float>(6, 1.0F));
+    std::stop_source stop;
+    EXPECT_TRUE(Environment::load(picture.path(), stop.get_token()));
+    stop.request_stop();
+    const auto stopped = Environment::load(picture.path(), stop.get_token());
+    EXPECT_FALSE(stopped);
+    EXPECT_EQ(kind_of_errors(stopped.diagnostics), Kind::interrupted);
 }
 
 TEST(Sky, HasTheLuminanceOfAClearDay) {

@@ -161,7 +161,7 @@ bool prepare(const AnimationRequest& animation, const Observer& observer,
     Loaded& loaded = made.loaded;
     loaded.since = FileWatch::Time::clock::now();
     if (add(found, check_frames(animation)) || add(found, check_request(request)) ||
-        !load_settings(request, loaded, found)) {
+        !load_settings(request, loaded, stop, found)) {
         return false;
     }
     auto picture = load_all(request, loaded, observer, stop, found);

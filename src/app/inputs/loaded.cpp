@@ -175,12 +175,13 @@ std::vector<fs::path> environment_files(const Request& request) {
     return file == nullptr ? std::vector<fs::path>{} : std::vector<fs::path>{*file};
 }
 
-bool load_settings(const Request& request, Loaded& loaded, Diagnostics& found) {
+bool load_settings(const Request& request, Loaded& loaded, const std::stop_token& stop,
+                   Diagnostics& found) {
     Result<render::Settings> settings = settings_of(request);
     add(found, settings.diagnostics);
     loaded.environment = environment_files(request);
     if (settings && !loaded.environment.empty()) {
-        const auto read = render::Environment::load(loaded.environment.front());
+        const auto read = render::Environment::load(loaded.environment.front(), stop);
         add(found, read.diagnostics);
         if (!read) {
             return false;

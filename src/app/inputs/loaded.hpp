@@ -38,7 +38,8 @@ struct Loaded {
 [[nodiscard]] std::vector<std::filesystem::path> environment_files(const Request& request);
 
 /// The settings of a request, with its environment. False if that fails, as the diagnostics say.
-[[nodiscard]] bool load_settings(const Request& request, Loaded& loaded, Diagnostics& found);
+[[nodiscard]] bool load_settings(const Request& request, Loaded& loaded,
+                                 const std::stop_token& stop, Diagnostics& found);
 
 /// The camera that a request names, or that of the scene, and the scene, both loaded and prepared
 /// for the times of the picture's rays, as far as that is not done. Nothing if that fails or is

@@ -196,7 +196,8 @@ void Session::State::render(const Request& request, const Observer& observer,
     const auto fails = [&report](const Diagnostics& found) {
         return add(report.diagnostics, found);
     };
-    if (fails(check_request(request)) || !load_settings(request, loaded, report.diagnostics)) {
+    if (fails(check_request(request)) ||
+        !load_settings(request, loaded, stop, report.diagnostics)) {
         return;
     }
     const auto loaded_picture = load_all(request, loaded, observer, stop, report.diagnostics);

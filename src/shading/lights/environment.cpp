@@ -15,9 +15,11 @@
 #include <tbb/parallel_for.h>
 
 #include "balcony/images.hpp"
+#include "balcony/progress.hpp"
 #include "balcony/scene.hpp"
 #include "shading/lights/atmosphere.hpp"
 #include "shading/lights/environment_state.hpp"
+#include "shading/textures/texture_reader.hpp"
 
 namespace balcony::render {
 
@@ -28,10 +30,6 @@ using Imath::Color3f;
 // What infinity becomes: the largest value of half floats, which overflow in pictures of the sun.
 constexpr float brightest = 65504.0F;
 
-float from_srgb(float encoded) {
-    return encoded <= 0.04045F ? encoded / 12.92F : std::pow((encoded + 0.055F) / 1.055F, 2.4F);
-}
-
 /// Reads colours, and repairs those that are no light.
 class PixelReader {
 public:
@@ -41,7 +39,7 @@ public:
     [[nodiscard]] Color3f read(std::span<const float> pixel) {
         bool repaired = false;
         const auto channel = [&](std::size_t i) {
-            const float value = linear_ ? pixel[i] : from_srgb(pixel[i]);
+            const float value = linear_ ? pixel[i] : linear_from_srgb(pixel[i]);
             if (value >= 0.0F && value <= std::numeric_limits<float>::max()) {
                 return value;
             }
@@ -103,7 +101,8 @@ Diagnostic unusable(const std::filesystem::path& file, const Diagnostic& reason)
 
 }  // namespace
 
-Result<Environment> Environment::load(const std::filesystem::path& file) {
+Result<Environment> Environment::load(const std::filesystem::path& file,
+                                      const std::stop_token& stop) {
     const Result<std::unique_ptr<images::ImageFile>> opened = images::ImageFile::open(file);
     if (!opened) {
         return unusable(file, opened.diagnostics.front());
@@ -117,6 +116,9 @@ Result<Environment> Environment::load(const std::filesystem::path& file) {
         std::vector<float> row(width * image.channels());
         PixelReader pixels(image);
         for (std::size_t y = 0; y < height; ++y) {
+            if (stop.stop_requested()) {
+                return stopped();
+            }
             if (const auto failure = image.read_rows(y, y + 1, row)) {
                 return unusable(file, *failure);
             }
@@ -133,7 +135,10 @@ Result<Environment> Environment::load(const std::filesystem::path& file) {
                 file.string(), pixels.repaired(), pixels.repaired() == 1 ? "pixel" : "pixels",
                 brightest)));
         }
-        auto map = std::make_shared<const EnvironmentMap>(width, height, std::move(texels));
+        auto map = std::make_shared<const EnvironmentMap>(width, height, std::move(texels), stop);
+        if (stop.stop_requested()) {
+            return stopped();
+        }
         if (map->is_black()) {
             warnings.push_back(warning(
                 fmt::format("environment '{}' is black and gives no light", file.string())));

@@ -70,9 +70,10 @@ Chosen choose(std::span<const float> cumulative, float random) {
 
 }  // namespace
 
-EnvironmentMap::EnvironmentMap(std::size_t width, std::size_t height, std::vector<Color3f> texels)
+EnvironmentMap::EnvironmentMap(std::size_t width, std::size_t height, std::vector<Color3f> texels,
+                               const std::stop_token& stop)
     : width_(width), height_(height), texels_(std::move(texels)) {
-    build_distribution();
+    build_distribution(stop);
 }
 
 Color3f EnvironmentMap::radiance(const V3f& direction) const {
@@ -125,7 +126,7 @@ float EnvironmentMap::pdf(const V3f& direction) const {
 // The weight of a pixel is its part of the interpolated picture: 3/4 of its own luminance and an
 // eighth of each neighbour's, in both dimensions, by the solid angle. So no cell with light has
 // probability 0.
-void EnvironmentMap::build_distribution() {
+void EnvironmentMap::build_distribution(const std::stop_token& stop) {
     columns_ = std::min(width_, max_columns);
     rows_ = std::min(height_, max_rows);
     cosines_.resize(rows_ + 1);
@@ -149,7 +150,7 @@ void EnvironmentMap::build_distribution() {
     std::vector<double> weights(columns_ * rows_);
     double solid_angle = 0.0;
     Imath::Color3<double> sum(0.0);
-    for (std::size_t y = 0; y < height_; ++y) {
+    for (std::size_t y = 0; y < height_ && !stop.stop_requested(); ++y) {
         const double step = std::numbers::pi / static_cast<double>(height_);
         const double band =
             std::cos(step * static_cast<double>(y)) - std::cos(step * static_cast<double>(y + 1));

@@ -21,8 +21,9 @@ public:
         float pdf = 0.0F;  ///< By solid angle.
     };
 
-    /// Rows from the top. Radiance is finite and not negative.
-    EnvironmentMap(std::size_t width, std::size_t height, std::vector<Imath::Color3f> texels);
+    /// Rows from the top. Radiance is finite and not negative. After a stop, the map is of no use.
+    EnvironmentMap(std::size_t width, std::size_t height, std::vector<Imath::Color3f> texels,
+                   const std::stop_token& stop = {});
 
     /// Interpolated between the centres of the pixels.
     [[nodiscard]] Imath::Color3f radiance(const Imath::V3f& direction) const;
@@ -40,7 +41,7 @@ private:
     [[nodiscard]] const Imath::Color3f& texel(std::size_t x, std::size_t y) const {
         return texels_[y * width_ + x];
     }
-    void build_distribution();
+    void build_distribution(const std::stop_token& stop);
 
     std::size_t width_;
     std::size_t height_;

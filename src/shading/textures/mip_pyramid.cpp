@@ -11,6 +11,7 @@
 #include <span>
 #include <utility>
 
+#include "balcony/progress.hpp"
 #include "shading/textures/texture_look_up.hpp"
 
 namespace balcony::render {
@@ -72,12 +73,11 @@ std::vector<Shares> shares_of(std::size_t count) {
     return all;
 }
 
-// The halving of an image, whose row y is row(y).
-template <class Row>
-std::vector<Float4> halving(std::size_t width, std::size_t height, const Row& row) {
+// Halves an image, whose row y is row(y), and calls add(row) for each row until it returns false.
+template <class Row, class Add>
+void halve(std::size_t width, std::size_t height, const Row& row, const Add& add) {
     const std::vector<Shares> columns = shares_of(width);
-    std::vector<Float4> made;
-    made.reserve(columns.size() * halved(height));
+    std::vector<Float4> made(columns.size());
     std::vector<Float4> line(width);
     for (const Shares& rows : shares_of(height)) {
         std::fill(line.begin(), line.end(), Float4{});
@@ -89,15 +89,16 @@ std::vector<Float4> halving(std::size_t width, std::size_t height, const Row& ro
                 }
             }
         }
-        for (const Shares& column : columns) {
-            Float4 sum{};
-            for (std::size_t k = 0; k < column.parts.size(); ++k) {
-                sum += column.parts[k] * line[std::min(column.first + k, width - 1)];
+        for (std::size_t x = 0; x < made.size(); ++x) {
+            made[x] = Float4{};
+            for (std::size_t k = 0; k < columns[x].parts.size(); ++k) {
+                made[x] += columns[x].parts[k] * line[std::min(columns[x].first + k, width - 1)];
             }
-            made.push_back(sum);
+        }
+        if (!add(made)) {
+            return;
         }
     }
-    return made;
 }
 
 // ----------------------------------------------------------------------------------- look-ups
@@ -217,10 +218,17 @@ std::optional<Diagnostic> MipPyramid::fill(TextureReader& image, const Codec& co
                            line.begin(), [&](const Texel& texel) { return codec.decode(texel); });
             return line;
         };
-        std::vector<Float4> made = halving(row_width, row_count, row);
-        std::transform(made.begin(), made.end(),
-                       texels.begin() + static_cast<std::ptrdiff_t>(first_[level]),
-                       [&](const Float4& value) { return codec.encode(value); });
+        std::vector<Float4> made;
+        made.reserve(halved(row_width) * halved(row_count));
+        halve(row_width, row_count, row, [&](const std::vector<Float4>& values) {
+            std::transform(values.begin(), values.end(), &texels[first_[level] + made.size()],
+                           [&](const Float4& value) { return codec.encode(value); });
+            made.insert(made.end(), values.begin(), values.end());
+            return !image.is_stopped();
+        });
+        if (image.is_stopped()) {
+            return stopped();
+        }
         above = std::move(made);
         row_width = halved(row_width);
         row_count = halved(row_count);

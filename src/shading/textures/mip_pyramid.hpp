@@ -27,8 +27,8 @@ public:
     /// Reads the image into memory, or into a file if one is given, and computes its mip levels,
     /// each from the one before by the mean over the area of each texel, in linear colours. An
     /// image of 8 bits stays one of 8 bits, with each texel rounded once; other images have half
-    /// floats. An error is that of the reader. The texture says how the image is continued and
-    /// magnified.
+    /// floats. An error is that of the reader, whose stop it obeys. The texture says how the image
+    /// is continued and magnified.
     [[nodiscard]] static Result<MipPyramid> read(TextureReader& image,
                                                  const scene::Texture& texture,
                                                  SpillFile* file = nullptr);

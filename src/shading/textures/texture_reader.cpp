@@ -65,7 +65,7 @@ Result<TextureReader> TextureReader::open(const scene::Texture& texture, Texture
 template <class Value>
 std::optional<Diagnostic> TextureReader::read_values(std::size_t begin, std::size_t end,
                                                      std::vector<Value>& values) {
-    if (stop_.stop_requested()) {
+    if (is_stopped()) {
         return stopped();
     }
     values.resize((end - begin) * image_->width() * image_->channels());

@@ -48,6 +48,7 @@ public:
 
     /// From now on, a stop is a failure of Kind::interrupted.
     void obey(std::stop_token stop) { stop_ = std::move(stop); }
+    [[nodiscard]] bool is_stopped() const { return stop_.stop_requested(); }
 
     /// Reads the rows [begin, end). Returns the reason if that fails.
     [[nodiscard]] std::optional<Diagnostic> read_rows(std::size_t begin, std::size_t end,
