@@ -28,8 +28,9 @@ void add(Summary& total, const Summary& part);
 /// The render of a picture in bands.
 class BandedRender {
 public:
-    /// Begins with the first band of the layout's window. The rows are a multiple of
-    /// file_tile_side. Adaptive sampling needs SamplingSettings::white.
+    /// Begins with the first band of the layout's window. Rows that are no multiple of
+    /// file_tile_side are an error of Kind::internal. Adaptive sampling needs
+    /// SamplingSettings::white.
     [[nodiscard]] static Result<BandedRender> make(const Renderer& renderer,
                                                    const camera::Picture& picture,
                                                    const Settings& settings,

@@ -142,7 +142,8 @@ struct MeanLayers {
 inline constexpr std::size_t tile_width = 64;
 inline constexpr std::size_t tile_height = 32;
 
-/// A picture under construction. make_film() sizes the vectors; a job fills them.
+/// A picture under construction. make_film() sizes the vectors; a job fills them. What reads a film
+/// as a whole checks the sizes; where they are wrong, it is an error of Kind::internal.
 struct Film {
     std::size_t width = 0;  ///< Width of the picture.
     std::size_t height = 0;
@@ -189,20 +190,23 @@ struct Film {
 
     /// The tiles that the window touches, row by row; only their pixels inside the window are used.
     [[nodiscard]] std::size_t tile_count() const { return tile_columns() * tile_rows(); }
-    [[nodiscard]] Region tile(std::size_t index) const;  ///< Complete, clipped to the picture.
+    /// Complete, clipped to the picture; without pixels if there is no such tile.
+    [[nodiscard]] Region tile(std::size_t index) const;
     [[nodiscard]] std::size_t tile_of(std::size_t x, std::size_t y) const;
 
     /// The index of a pixel of the window in the vectors.
     [[nodiscard]] std::size_t index(std::size_t x, std::size_t y) const {
         return (y - window.y) * window.width + x - window.x;
     }
-    /// The number of samples in the sum of a pixel of the window.
+    /// The number of samples in the sum of a pixel; 0 outside the window.
     [[nodiscard]] std::uint32_t samples(std::size_t x, std::size_t y) const {
-        return pixel_passes.empty() ? passes[tile_of(x, y)] : pixel_passes[index(x, y)];
+        return !window.contains(x, y) ? 0
+               : pixel_passes.empty() ? passes[tile_of(x, y)]
+                                      : pixel_passes[index(x, y)];
     }
 
-    /// The mean of the samples of a pixel of the window, premultiplied by alpha; transparent if
-    /// there are none. The background is seen in mirrors only.
+    /// The mean of the samples of a pixel, premultiplied by alpha; transparent if there are none,
+    /// as outside the window. The background is seen in mirrors only.
     [[nodiscard]] Color4f pixel(std::size_t x, std::size_t y) const;
     [[nodiscard]] Color4f light(std::size_t x, std::size_t y) const;  ///< Without display colours.
     [[nodiscard]] Color4f display_color(std::size_t x, std::size_t y) const;  ///< Only these.
@@ -211,8 +215,8 @@ struct Film {
     /// The light of surfaces, without what mirrors reflect of the background.
     [[nodiscard]] Color4f surface_light(std::size_t x, std::size_t y) const;
     /// The unbiased estimate of the variance of one sample, by channel; the variance of
-    /// surface_light() as rendered is this divided by the number of samples. Needs sum_of_squares;
-    /// 0 below two samples.
+    /// surface_light() as rendered is this divided by the number of samples. 0 below two samples
+    /// and without sum_of_squares.
     [[nodiscard]] Color4d variance(std::size_t x, std::size_t y) const;
 
 private:
@@ -267,7 +271,7 @@ struct DisplayOptions {
 /// median is between nearly black (0.004) and a stop above white (2), and the 95th percentile at
 /// most two stops above white (4). Otherwise, it makes the median middle grey (0.18), or up to two
 /// stops less if the 95th percentile would exceed white. Display colours and the background do not
-/// count.
+/// count. 0 for a film whose vectors do not have the size of its window.
 [[nodiscard]] double automatic_exposure(const Film& film);
 
 /// The bytes of a PNG, JPEG, WebP or TIFF file: light after exposure and view transform, display

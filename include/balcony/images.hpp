@@ -76,7 +76,8 @@ public:
     [[nodiscard]] virtual std::optional<std::size_t> unassociated_alpha() const = 0;
 
     /// Reads the rows [begin, end): channels() values per pixel, integers scaled to 0 .. 1. Returns
-    /// nothing on success, otherwise the reason, as for open().
+    /// nothing on success, otherwise the reason, as for open(). Rows that the image does not have,
+    /// and another number of values, are an error of Kind::internal.
     [[nodiscard]] virtual std::optional<Diagnostic> read_rows(std::size_t begin, std::size_t end,
                                                               std::span<float> values) = 0;
     /// The same from 0 to 255; values of more than 8 bits are rounded.
@@ -97,7 +98,7 @@ struct Raster {
 };
 
 /// The bytes of a file. The format is "png", "jpeg", "webp" or "tiff"; JPEG has no alpha, and JPEG
-/// and WebP have 8 bits.
+/// and WebP have 8 bits. Another format and another number of samples are errors of Kind::internal.
 [[nodiscard]] Result<std::vector<std::uint8_t>> encode(const Raster& raster,
                                                        std::string_view format);
 
@@ -113,7 +114,8 @@ struct LinearImage {
 /// Gives the mean over parts of an image. Look-ups may come from any number of threads.
 class FilteredImage {
 public:
-    /// The values must outlive the result. An image that closes goes on at its other side.
+    /// The values must outlive the result. An image that closes goes on at its other side. Another
+    /// number of values is an error of Kind::internal.
     [[nodiscard]] static Result<std::unique_ptr<FilteredImage>> make(const LinearImage& image,
                                                                      bool closes);
 

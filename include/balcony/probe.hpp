@@ -27,11 +27,12 @@
 
 namespace balcony::render {
 
+/// What is out of range is an error of Kind::usage.
 struct ProbeSettings {
-    std::size_t width = 1280;  ///< Width of the picture in pixels.
+    std::size_t width = 1280;  ///< Of the picture in pixels: 1 to 2^20.
     std::size_t height = 720;
-    std::size_t step =
-        4;  ///< Pixels between rays; objects not seen at this step are searched in all pixels.
+    /// Pixels between rays, at least 1; objects not seen at this step are searched in all pixels.
+    std::size_t step = 4;
     double time = 0.0;  ///< The value of t in the camera's formulas.
 };
 

@@ -57,7 +57,7 @@ struct SamplingSettings {
     /// the same number of samples for all pixels.
     double noise = 0.0;
     std::uint32_t min_samples = 16;  ///< Of adaptive sampling; the next power of two applies.
-    /// The radiance shown as white; by default, it makes the median middle grey.
+    /// The radiance shown as white, above 0; by default, it makes the median middle grey.
     std::optional<double> white{};
 };
 
@@ -134,7 +134,8 @@ struct RendererSettings {
     /// Decodes each texture when a ray first needs it, for jobs of few rays; otherwise all textures
     /// that fit, and all that a picture shows, before the first ray, on all threads.
     bool textures_on_demand = false;
-    /// When rays meet the scene, such as the exposure of a shutter; otherwise as it stands.
+    /// When rays meet the scene, such as the exposure of a shutter; otherwise as it stands. Its
+    /// times are finite, and the first one is not later.
     std::optional<scene::TimeInterval> interval{};
 };
 
@@ -153,7 +154,8 @@ public:
     ///
     /// A scene is traced as it stands at its time. With an interval of time, what moves during the
     /// interval is where it stands at the time of each ray: before the interval as at its
-    /// beginning, after it as at its end.
+    /// beginning, after it as at its end. No scene is an error of Kind::internal, an interval out
+    /// of order one of Kind::usage.
     ///
     /// A stop is an error of Kind::interrupted. Progress may be reported by any thread.
     [[nodiscard]] static Result<Renderer> make(std::shared_ptr<const scene::Scene> scene,
@@ -238,14 +240,16 @@ class Job {
 public:
     /// Compiles the picture for the film's size and writes the names of objects and layers, the
     /// background and the ambient light into the film, to which it adds the sums that the picture
-    /// needs. Settings out of range, an unknown integrator, no film, or one whose vectors do not
-    /// have its size are errors; so is a stop, of Kind::interrupted.
+    /// needs. Settings out of range and an unknown integrator are errors; no film and one whose
+    /// vectors do not have its size are errors of Kind::internal, a stop is one of
+    /// Kind::interrupted.
     [[nodiscard]] static Result<Job> make(const Renderer& renderer, const camera::Picture& picture,
                                           const Settings& settings, std::shared_ptr<Film> film,
                                           const std::stop_token& stop = {});
 
     /// The same picture with other settings, such as another time, on another film. A film of the
-    /// same size takes over the compiled picture. The renderer is one of the same scene.
+    /// same size takes over the compiled picture. A renderer of another scene is an error of
+    /// Kind::usage.
     [[nodiscard]] Result<Job> again(const Renderer& renderer, const Settings& settings,
                                     std::shared_ptr<Film> film,
                                     const std::stop_token& stop = {}) const;
@@ -270,7 +274,8 @@ public:
     Result<Summary> run(const ProgressCallback& progress = {}, std::stop_token stop = {});
 
     /// The same until each tile has the requested number of passes, by tile index: equal numbers
-    /// for progressive display, larger numbers in noisy tiles for adaptive sampling.
+    /// for progressive display, larger numbers in noisy tiles for adaptive sampling. Another number
+    /// of tiles is an error of Kind::internal.
     Result<Summary> run(std::span<const std::uint32_t> passes,
                         const ProgressCallback& progress = {}, std::stop_token stop = {});
 

@@ -180,6 +180,33 @@ TEST_F(Images, RowsComeInAnyOrder) {
     }
 }
 
+TEST_F(Images, WhatCannotBeIsAnErrorOfTheCaller) {
+    const auto opened = ImageFile::open(image("image.png"));
+    ASSERT_TRUE(opened);
+    std::vector<float> row(width * 3);
+    EXPECT_FALSE((*opened)->read_rows(0, 1, row));
+    const auto refused = [&](std::size_t begin, std::size_t end, std::size_t count) {
+        const auto failure = (*opened)->read_rows(begin, end, std::span(row).first(count));
+        return failure && failure->kind == Kind::internal;
+    };
+    EXPECT_TRUE(refused(0, 1, row.size() - 1));
+    EXPECT_TRUE(refused(1, 0, row.size()));
+    EXPECT_TRUE(refused(height, height + 1, row.size()));
+
+    const std::vector<std::uint8_t> samples(12);
+    const auto kind = [](const auto& made) { return kind_of_errors(made.diagnostics); };
+    EXPECT_TRUE(encode({2, 2, 3, samples}, "png"));
+    EXPECT_EQ(kind(encode({2, 2, 4, samples}, "png")), Kind::internal);
+    EXPECT_EQ(kind(encode({6, 1, 2, samples}, "png")), Kind::internal);
+    EXPECT_EQ(kind(encode({0, 2, 3, {}}, "png")), Kind::internal);
+    EXPECT_EQ(kind(encode({2, 2, 3, samples}, "gif")), Kind::internal);
+
+    const std::vector<float> values(16);
+    EXPECT_TRUE(FilteredImage::make({2, 2, values}, false));
+    EXPECT_EQ(kind(FilteredImage::make({2, 3, values}, false)), Kind::internal);
+    EXPECT_EQ(kind(FilteredImage::make({0, 0, {}}, false)), Kind::internal);
+}
+
 TEST_F(Images, TiledImagesAreReadByRows) {
     auto plain = ImageFile::open(image("plain.tif"));
     auto tiled = ImageFile::open(image("tiled.tif", 16));

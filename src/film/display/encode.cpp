@@ -13,6 +13,7 @@
 #include "balcony/film.hpp"
 #include "base/fork_and_join.hpp"
 #include "film/display/displayed_pixel.hpp"
+#include "film/sums/film_arrays.hpp"
 
 namespace balcony::render {
 
@@ -85,6 +86,9 @@ std::vector<Sample> to_samples(const Film& film, const DisplayOptions& options, 
 
 Result<std::vector<std::uint8_t>> encode(const Film& film, const DisplayFormat& format,
                                          const DisplayOptions& options) {
+    if (Diagnostics found = check_sizes(film); !found.empty()) {
+        return found;
+    }
     const int bits = options.bits.value_or(format.bits);
     if ((bits != 8 && bits != 16) || bits > format.max_bits || !std::isfinite(options.exposure)) {
         return error(Kind::usage,

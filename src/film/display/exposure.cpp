@@ -8,11 +8,15 @@
 
 #include "balcony/film.hpp"
 #include "balcony/median.hpp"
+#include "film/sums/film_arrays.hpp"
 #include "images/luminance.hpp"
 
 namespace balcony::render {
 
 double automatic_exposure(const Film& film) {
+    if (!check_sizes(film).empty()) {
+        return 0.0;
+    }
     std::vector<double> luminances;  // Of what is lit.
     for (std::size_t y = 0; y < film.window.height; ++y) {
         for (std::size_t x = 0; x < film.window.width; ++x) {

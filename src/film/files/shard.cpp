@@ -97,12 +97,9 @@ bool is_sound(const OpenShard& opened, std::uintmax_t bytes) {
     const Shard& shard = opened.heading.shard;
     const Film& film = opened.film;
     const Region& window = film.window;
-    const auto within = [](std::size_t begin, std::size_t length, std::size_t side) {
-        return length >= 1 && side <= max_film_side && begin < side && length <= side - begin;
-    };
     return shard.index < shard.count && shard.count <= max_shards &&
-           within(window.x, window.width, film.width) &&
-           within(window.y, window.height, film.height) &&
+           std::max(film.width, film.height) <= max_film_side &&
+           is_part(window, film.width, film.height) &&
            window.size() / shard.count <= bytes / sizeof(Color4d) + tile_width * tile_height;
 }
 

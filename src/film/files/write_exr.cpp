@@ -11,6 +11,7 @@
 #include "balcony/film.hpp"
 #include "balcony/output_file.hpp"
 #include "film/files/exr_channels.hpp"
+#include "film/sums/film_arrays.hpp"
 
 namespace balcony::render {
 
@@ -58,6 +59,9 @@ void write_rows(const Film& film, Imf::OStream& stream) {
 }  // namespace
 
 Diagnostics write_exr(const Film& film, const std::filesystem::path& file) {
+    if (Diagnostics found = check_sizes(film); !found.empty()) {
+        return found;
+    }
     OutputFile output(file);
     try {
         ExrStream stream(output.stream());

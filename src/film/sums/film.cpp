@@ -56,11 +56,7 @@ Diagnostics check(const FilmLayout& layout, const Region& window) {
     if (!found.empty()) {
         return found;
     }
-    const auto within = [](std::size_t begin, std::size_t length, std::size_t side) {
-        return length >= 1 && begin < side && length <= side - begin;
-    };
-    if (!within(window.x, window.width, layout.width) ||
-        !within(window.y, window.height, layout.height)) {
+    if (!is_part(window, layout.width, layout.height)) {
         return {error(Kind::usage,
                       fmt::format("the region of {} x {} pixels at ({}, {}) is not part of the "
                                   "picture of {} x {} pixels",
@@ -101,6 +97,27 @@ std::size_t tiles_touched(std::size_t begin, std::size_t length, std::size_t sid
 
 }  // namespace
 
+bool is_part(const Region& window, std::size_t width, std::size_t height) {
+    const auto within = [](std::size_t begin, std::size_t length, std::size_t side) {
+        return length >= 1 && begin < side && length <= side - begin;
+    };
+    return within(window.x, window.width, width) && within(window.y, window.height, height);
+}
+
+Diagnostics check_sizes(const Film& film) {
+    const auto fits = [&film](const auto& values) {
+        return values.empty() || values.size() == film.window.size();
+    };
+    if (is_part(film.window, film.width, film.height) && !film.sum.empty() && fits(film.sum) &&
+        fits(film.sum_of_squares) && fits(film.display) && fits(film.mirrored) &&
+        fits(film.noisy) && fits(film.pixel_passes) && fits(film.first_half) &&
+        film.passes.size() == film.tile_count()) {
+        return {};
+    }
+    return {error(Kind::internal, "the film's vectors do not have the size of its window",
+                  "create the film with make_film()")};
+}
+
 double film_bytes(const FilmLayout& layout) {
     const Region window = layout.window.value_or(Region{0, 0, layout.width, layout.height});
     const LayerSet stored = layers_of(layout);
@@ -117,6 +134,9 @@ std::size_t Film::tile_columns() const { return tiles_touched(window.x, window.w
 std::size_t Film::tile_rows() const { return tiles_touched(window.y, window.height, tile_height); }
 
 Region Film::tile(std::size_t index) const {
+    if (index >= tile_count()) {
+        return {};
+    }
     const std::size_t x = (window.x / tile_width + index % tile_columns()) * tile_width;
     const std::size_t y = (window.y / tile_height + index / tile_columns()) * tile_height;
     return {x, y, std::min(tile_width, width - x), std::min(tile_height, height - y)};
@@ -162,7 +182,7 @@ Color4f Film::mean(const std::vector<Color4d>& sums, std::size_t x, std::size_t 
 
 Color4d Film::variance(std::size_t x, std::size_t y) const {
     const auto n = static_cast<double>(samples(x, y));
-    if (n < 2.0) {
+    if (n < 2.0 || sum_of_squares.empty()) {
         return Color4d(0.0);
     }
     const Color4d& total = (noisy.empty() ? sum : noisy)[index(x, y)];

@@ -12,6 +12,12 @@ namespace balcony::render {
 /// The largest width and height of a picture in pixels.
 inline constexpr std::size_t max_film_side = std::size_t{1} << 20;
 
+/// Whether a window has pixels and is a part of a picture of a size.
+[[nodiscard]] bool is_part(const Region& window, std::size_t width, std::size_t height);
+
+/// The error of a film whose vectors do not have the size of its window.
+[[nodiscard]] Diagnostics check_sizes(const Film& film);
+
 /// 0, also for vectors, whose default is undefined.
 template <class Value>
 [[nodiscard]] Value zero() {

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <algorithm>
-#include <cassert>
 #include <exception>
 #include <new>
 #include <utility>
@@ -185,9 +184,10 @@ private:
     template <class Value>
     [[nodiscard]] std::optional<Diagnostic> read(std::size_t first_row, std::size_t end_row,
                                                  std::span<Value> values) {
-        assert(first_row <= end_row && end_row <= static_cast<std::size_t>(spec_.height) &&
-               values.size() == (end_row - first_row) * static_cast<std::size_t>(spec_.width) *
-                                    static_cast<std::size_t>(channel_count()));
+        if (first_row > end_row || end_row > height() ||
+            values.size() != (end_row - first_row) * width() * channels()) {
+            return error(Kind::internal, "rows that it does not have are asked for");
+        }
         const int begin = static_cast<int>(first_row);
         const int end = static_cast<int>(end_row);
         const bool tiled = spec_.tile_width > 0;

@@ -273,6 +273,9 @@ bool PathTracer::scatter(std::size_t lane) {
 }  // namespace
 
 Diagnostics check_path(const Settings& settings) {
+    if (!(settings.path.clamp_indirect >= 0.0F)) {
+        return {error("the limit of indirect light is out of range", {}, "give 0 or more")};
+    }
     const BounceLimits& limits = settings.path.bounces;
     if (std::max({limits.all, limits.diffuse, limits.glossy, limits.transmission}) >
         BounceLimits::most) {

@@ -4,7 +4,6 @@
 #include "balcony/bands.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <memory>
 
@@ -80,7 +79,9 @@ void add(Summary& total, const Summary& part) {
 Result<BandedRender> BandedRender::make(const Renderer& renderer, const camera::Picture& picture,
                                         const Settings& settings, const FilmLayout& layout,
                                         std::size_t rows, const std::stop_token& stop) {
-    assert(rows > 0 && rows % file_tile_side == 0);
+    if (rows == 0 || rows % file_tile_side != 0) {
+        return error(Kind::internal, "the rows of a band are no multiple of file_tile_side");
+    }
     const Region window = window_of(layout);
     if (Diagnostics found = check(settings, window); !found.empty()) {
         return found;

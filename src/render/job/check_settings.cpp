@@ -75,6 +75,10 @@ Diagnostics check(const Settings& settings) {
     if (!(settings.sampling.noise >= 0.0) || !std::isfinite(settings.sampling.noise)) {
         found.push_back(error("the noise level must be a finite number, 0 or more"));
     }
+    if (const double white = settings.sampling.white.value_or(1.0);
+        !(white > 0.0) || !std::isfinite(white)) {
+        found.push_back(error("the radiance of white must be a finite number above 0"));
+    }
     if (find_pixel_filter(settings.sampling.filter) == nullptr) {
         found.push_back(unknown("pixel filter", settings.sampling.filter, pixel_filters()));
     }

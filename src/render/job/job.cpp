@@ -22,21 +22,21 @@ namespace balcony::render {
 
 namespace {
 
-// Whether the sizes of a film's vectors match its window.
-bool holds_together(const Film& film) {
-    const std::size_t pixels = film.window.size();
-    const bool layers =
-        std::all_of(layer_rows().begin(), layer_rows().end(), [&film](const LayerRow& row) {
-            return !film.layer_set.contains(row.info.id) || row.complete(film);
-        });
-    const auto fits = [pixels](const std::vector<Color4d>& sums) {
-        return sums.empty() || sums.size() == pixels;
-    };
-    const bool further = fits(film.sum_of_squares) && fits(film.display) && fits(film.mirrored);
-    return pixels > 0 && film.sum.size() == pixels && layers && further &&
-           film.window.x + film.window.width <= film.width &&
-           film.window.y + film.window.height <= film.height &&
-           film.passes.size() == film.tile_count();
+// The error of a film that a job cannot continue.
+Diagnostics check_to_continue(const Film& film) {
+    if (!film.noisy.empty()) {
+        return {error("the film is denoised, so no samples can be added to it", {},
+                      "denoise a copy of the film")};
+    }
+    for (const LayerRow& row : layer_rows()) {
+        if (film.layer_set.contains(row.info.id) && !row.complete(film)) {
+            return {error(
+                Kind::internal,
+                fmt::format("the film does not have the vector of its layer {}", row.info.name),
+                "create the film with make_film()")};
+        }
+    }
+    return check_sizes(film);
 }
 
 // The motion of what is seen, if the film has a layer for it. All data are of pass 0.
@@ -197,6 +197,10 @@ Result<Job> Job::make(const Renderer& renderer, const camera::Picture& picture,
 
 Result<Job> Job::again(const Renderer& renderer, const Settings& settings,
                        std::shared_ptr<Film> film, const std::stop_token& stop) const {
+    if (!has_parts_of(*renderer.state_->traced.scene, *state_->renderer->traced.scene)) {
+        return error(Kind::usage, "a job is made again for another time of its own scene only",
+                     "make another job");
+    }
     return make(renderer, state_->picture, settings, std::move(film), state_.get(), stop);
 }
 
@@ -210,13 +214,8 @@ Result<Job> Job::make(const Renderer& renderer, const camera::Picture& picture,
         return error(Kind::internal, "a job needs a film");
     }
     Film& film = *shared;
-    if (!film.noisy.empty()) {
-        return error("the film is denoised, so no samples can be added to it", {},
-                     "denoise a copy of the film");
-    }
-    if (!holds_together(film)) {
-        return error("the film's vectors do not have the size of its window", {},
-                     "create the film with make_film()");
+    if (Diagnostics found = check_to_continue(film); !found.empty()) {
+        return found;
     }
     try {
         const Stopwatch watch;
@@ -285,8 +284,12 @@ Result<Summary> Job::run(const ProgressCallback& progress, std::stop_token stop)
 
 Result<Summary> Job::run(std::span<const std::uint32_t> passes, const ProgressCallback& progress,
                          std::stop_token stop) {
-    if (!holds_together(*state_->film) || passes.size() != state_->film->tile_count()) {
-        return error(fmt::format("the film has {} tiles, but {} numbers of passes are given",
+    if (Diagnostics found = check_to_continue(*state_->film); !found.empty()) {
+        return found;
+    }
+    if (passes.size() != state_->film->tile_count()) {
+        return error(Kind::internal,
+                     fmt::format("the film has {} tiles, but {} numbers of passes are given",
                                  state_->film->tile_count(), passes.size()));
     }
     try {

@@ -1,8 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-#include <algorithm>
-#include <iterator>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -14,16 +13,25 @@ namespace balcony::render {
 
 namespace {
 
+Diagnostics check(const scene::TimeInterval& interval) {
+    if (interval.begin <= interval.end && std::isfinite(interval.duration())) {
+        return {};
+    }
+    return {error(Kind::usage, "an interval of time does not end after it begins",
+                  "give two finite times in their order")};
+}
+
+}  // namespace
+
 bool has_parts_of(const scene::Scene& moved, const scene::Scene& scene) {
-    return moved.motion == scene.motion && moved.meshes.size() == scene.meshes.size() &&
+    return moved.motion == scene.motion && moved.axes == scene.axes &&
+           moved.meshes.size() == scene.meshes.size() &&
            moved.instances.size() == scene.instances.size() &&
            moved.objects.size() == scene.objects.size() &&
            moved.materials.size() == scene.materials.size() &&
            moved.textures.size() == scene.textures.size() &&
            moved.lights.size() == scene.lights.size();
 }
-
-}  // namespace
 
 Result<Renderer> Renderer::make(std::shared_ptr<const scene::Scene> scene,
                                 const RendererSettings& settings, const PartDone& progress,
@@ -36,14 +44,17 @@ Result<Renderer> Renderer::make(std::shared_ptr<const scene::Scene> scene,
                                  static_cast<double>(settings.texture_memory) / 0x1p20),
                      {}, fmt::format("give at least {} MiB", min_texture_memory >> 20U));
     }
+    const scene::TimeInterval times =
+        settings.interval.value_or(scene::TimeInterval{scene->time, scene->time});
+    if (Diagnostics found = check(times); !found.empty()) {
+        return found;
+    }
     // Its absence is no fault of a texture, so that no picture is made without textures.
     if (Diagnostics found = scene->textures.empty() ? Diagnostics() : images::require();
         has_errors(found)) {
         return found;
     }
     const Stopwatch watch;
-    const scene::TimeInterval times =
-        settings.interval.value_or(scene::TimeInterval{scene->time, scene->time});
     const scene::Movement movement = scene::movement(*scene, times);
     const bool reads_textures = !settings.textures_on_demand && !scene->textures.empty();
     Result<embree::Accelerator> accelerator = embree::Accelerator::build(
@@ -84,6 +95,9 @@ Result<Renderer> Renderer::moved(std::shared_ptr<const scene::Scene> scene,
     if (!scene || !has_parts_of(*scene, *state_->traced.scene)) {
         return error(Kind::usage, "a renderer moves to another time of its own scene only",
                      "give what scene::moved_to() makes of it");
+    }
+    if (Diagnostics found = check(interval); !found.empty()) {
+        return found;
     }
     TracedScene traced = state_->traced;
     traced.interval = interval;

@@ -7,6 +7,9 @@
 
 namespace balcony::render {
 
+/// Whether a scene is another at another time.
+[[nodiscard]] bool has_parts_of(const scene::Scene& moved, const scene::Scene& scene);
+
 struct Renderer::State {
     TracedScene traced;
     Preparation preparation;

@@ -78,6 +78,9 @@ std::size_t count_objects(const std::vector<Line>& lines, const ProbedScene& sce
 
 Result<Miss> explain_miss(const Renderer& renderer, const camera::Camera& camera,
                           const ProbeSettings& settings) {
+    if (Diagnostics found = check(settings); !found.empty()) {
+        return found;
+    }
     const ProbedScene probed(renderer);
     const scene::Scene& scene = probed.scene();
     const Result<rays::RayProgram> program =

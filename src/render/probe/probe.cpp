@@ -5,10 +5,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "balcony/median.hpp"
+#include "film/sums/film_arrays.hpp"
 #include "render/job/camera_rays.hpp"
 #include "render/probe/probed_scene.hpp"
 #include "shading/geometry/closed_surface.hpp"
@@ -221,9 +225,23 @@ private:
 
 }  // namespace
 
+Diagnostics check(const ProbeSettings& settings) {
+    if (is_part({0, 0, settings.width, settings.height}, max_film_side, max_film_side) &&
+        settings.step > 0 && std::isfinite(settings.time)) {
+        return {};
+    }
+    return {error(Kind::usage, "a probe's size, step or time is out of range",
+                  fmt::format("give a width and a height from 1 to {}, a step of at least 1, and a "
+                              "finite time",
+                              max_film_side))};
+}
+
 Result<Probe> probe(const Renderer& renderer, const camera::Camera& camera,
                     const ProbeSettings& settings, const PartDone& progress,
                     const std::stop_token& stop) {
+    if (Diagnostics found = check(settings); !found.empty()) {
+        return found;
+    }
     const ProbedScene scene(renderer);
     const Result<rays::RayProgram> program =
         rays::compile(camera, static_cast<double>(settings.width),

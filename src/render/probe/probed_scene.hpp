@@ -6,9 +6,13 @@
 #include <cstdint>
 #include <span>
 
+#include "balcony/probe.hpp"
 #include "render/job/renderer_state.hpp"
 
 namespace balcony::render {
+
+/// What is out of range.
+[[nodiscard]] Diagnostics check(const ProbeSettings& settings);
 
 /// The scene of a renderer as it stands at its own time, whatever the interval of the renderer: its
 /// hits, and what they tell about its geometry. The renderer must outlive it.
