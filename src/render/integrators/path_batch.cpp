@@ -3,8 +3,6 @@
 
 #include "render/integrators/path_batch.hpp"
 
-#include "render/integrators/prefetch.hpp"
-
 namespace balcony::render {
 
 void PathBatch::generate(std::span<const CameraRay> rays, Part part) {

@@ -18,6 +18,15 @@
 
 namespace balcony::render {
 
+/// Requests the memory of an object that is needed soon.
+template <class T>
+void prefetch(const T& object) {
+    constexpr std::size_t cache_line = 64;
+    for (std::size_t offset = 0; offset < sizeof(T); offset += cache_line) {
+        __builtin_prefetch(reinterpret_cast<const char*>(&object) + offset);
+    }
+}
+
 /// Keeps its memory between batches of camera rays.
 class PathBatch {
 public:

@@ -5,8 +5,6 @@
 
 #include <span>
 
-#include "render/integrators/prefetch.hpp"
-
 namespace balcony::render {
 
 // Memory is requested so many paths early that it has usually arrived.
