@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <stop_token>
 
 #include "balcony/film.hpp"
 #include "render/job/picture_rays.hpp"
@@ -18,5 +19,10 @@ namespace balcony::render {
 /// textures.
 void for_each_coarse_ray(const TracedScene& traced, PictureRays& rays, const Film& film,
                          double time, const std::function<void(const DifferentialRay&)>& visit);
+
+/// Decodes the textures that do not fit into memory and that coarse rays of the picture see, on all
+/// threads. Otherwise, the first ray that meets one decodes it, while others wait.
+void read_visible_textures(const TracedScene& traced, PictureRays& rays, const Film& film,
+                           double time, const std::stop_token& stop);
 
 }  // namespace balcony::render

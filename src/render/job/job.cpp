@@ -10,13 +10,12 @@
 #include "base/stopwatch.hpp"
 #include "film/sums/film_arrays.hpp"
 #include "film/sums/layer_rows.hpp"
-#include "render/job/ambient.hpp"
 #include "render/job/check_settings.hpp"
+#include "render/job/coarse_rays.hpp"
 #include "render/job/lighting.hpp"
 #include "render/job/point_blender.hpp"
 #include "render/job/renderer_state.hpp"
 #include "render/job/run.hpp"
-#include "render/job/visible_textures.hpp"
 
 namespace balcony::render {
 

@@ -24,4 +24,9 @@ struct Lighting {
 [[nodiscard]] Lighting lighting_of(const TracedScene& traced, PictureRays& rays, const Film& film,
                                    const Settings& settings);
 
+/// The ambient radiance that follows the light of the scene, by the rule of Settings::ambient. It
+/// depends on the whole picture, not on the film's window.
+[[nodiscard]] Color3f ambient_of(const TracedScene& traced, PictureRays& rays, const Film& film,
+                                 double time);
+
 }  // namespace balcony::render
