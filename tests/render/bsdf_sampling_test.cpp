@@ -24,7 +24,7 @@ TEST(BsdfSampling, FollowsTheDensity) {
             const V3f viewer = at_cosine(cosine);
             Directions random(++seed);
             std::vector<double> expected = SphereCells::integrals(
-                [&](const V3f& light) { return double{bsdf.pdf(viewer, light)}; }, 16);
+                [&](const V3f& light) { return double{bsdf.evaluate(viewer, light).pdf}; }, 16);
             std::vector<double> counts(expected.size());
             double others = 0.0;
             for (int draw = 0; draw < draws; ++draw) {

@@ -36,13 +36,13 @@ TEST(Bsdf, ReflectionIsReciprocal) {
             const Bsdf bsdf = on_plane(material, normal);
             const V3f a = random.above(normal, 0.02F);
             const V3f b = random.above(normal, 0.02F);
-            Color3f there = bsdf.eval(a, b) / normal.dot(b);
-            Color3f back = bsdf.eval(b, a) / normal.dot(a);
+            Color3f there = bsdf.evaluate(a, b).reflected / normal.dot(b);
+            Color3f back = bsdf.evaluate(b, a).reflected / normal.dot(a);
             if (tilted) {
                 const Bsdf coat = on_plane(coat_alone(material), normal);
                 const V3f coat_normal = Frame(normal).to_world(material.coat_normal);
-                const float coat_there = coat.eval(a, b).x;
-                const float coat_back = coat.eval(b, a).x;
+                const float coat_there = coat.evaluate(a, b).reflected.x;
+                const float coat_back = coat.evaluate(b, a).reflected.x;
                 there -= Color3f(coat_there / normal.dot(b));
                 back -= Color3f(coat_back / normal.dot(a));
                 EXPECT_NEAR(coat_there * coat_normal.dot(a), coat_back * coat_normal.dot(b),
@@ -72,8 +72,8 @@ TEST(Bsdf, TransmissionIsReciprocal) {
         const V3f a = random.above(up, 0.05F);
         const V3f b = -random.above(up, 0.05F);
         const float n = material.appearance.thin_walled ? 1.0F : material.appearance.ior;
-        const Color3f there = bsdf.eval(a, b) / -b.z;
-        const Color3f back = back_side.eval(b, a) * n * n / a.z;
+        const Color3f there = bsdf.evaluate(a, b).reflected / -b.z;
+        const Color3f back = back_side.evaluate(b, a).reflected * n * n / a.z;
         EXPECT_NEAR(there.x, back.x, 1e-3F * std::max(there.x, 0.1F)) << trial;
     }
 }
@@ -115,14 +115,15 @@ TEST(Bsdf, NoLightLeaksBetweenTheHorizons) {
             bsdf.set_coat_normal(coat_normal);
             const V3f viewer = random.above(normal, 0.01F);
             if (const V3f light = random.above(normal, 0.0F); light.dot(geometric) < 0.0F) {
-                EXPECT_EQ(bsdf.eval(viewer, light), Color3f(0.0F)) << material.name;
+                EXPECT_EQ(bsdf.evaluate(viewer, light).reflected, Color3f(0.0F)) << material.name;
                 if (coat_normal.dot(light) >= 0.0F) {
-                    EXPECT_EQ(bsdf.eval(viewer, -light), Color3f(0.0F)) << material.name;
+                    EXPECT_EQ(bsdf.evaluate(viewer, -light).reflected, Color3f(0.0F))
+                        << material.name;
                 }
             }
             const V3f below = -random.above(normal, 0.0F);
             if (!bsdf.material().transmits() && coat_normal.dot(below) <= 0.0F) {
-                EXPECT_EQ(bsdf.eval(viewer, below), Color3f(0.0F)) << material.name;
+                EXPECT_EQ(bsdf.evaluate(viewer, below).reflected, Color3f(0.0F)) << material.name;
             }
             const auto sample = bsdf.sample(viewer, random.numbers());
             if (sample && viewer.dot(geometric) > 0.0F) {
@@ -137,13 +138,14 @@ TEST(Bsdf, ATiltedClearcoatReflectsAboutItsOwnNormal) {
     const V3f tilted = V3f(0.6F, 0.0F, 0.8F);
     const NamedAppearance coat = coat_alone({"", coated(dielectric(1.0F), 0.2F), true, tilted});
     const V3f to_peak = mirrored(up, tilted);
-    EXPECT_GT(flat(coat).eval(up, to_peak).x, 100.0F * flat(coat.appearance).eval(up, to_peak).x);
+    EXPECT_GT(flat(coat).evaluate(up, to_peak).reflected.x,
+              100.0F * flat(coat.appearance).evaluate(up, to_peak).reflected.x);
     // Also of light that the layers below it, bent the other way, cannot receive.
     const V3f other_way(-0.6F, 0.0F, 0.8F);
     EXPECT_LT(to_peak.dot(other_way), 0.0F);
     Bsdf bent(coat.appearance, other_way, up);
     bent.set_coat_normal(tilted);
-    EXPECT_EQ(bent.eval(up, to_peak), flat(coat).eval(up, to_peak));
+    EXPECT_EQ(bent.evaluate(up, to_peak).reflected, flat(coat).evaluate(up, to_peak).reflected);
     EXPECT_EQ(bent.lit_side(), up);
 }
 
@@ -163,8 +165,8 @@ TEST(Bsdf, AThinWallTransmitsWithoutRefraction) {
         const V3f light = random.above(up, 0.05F);
         const float edge = std::pow(1.0F - viewer.dot((viewer + light).normalized()), 5.0F);
         const float reflectance = 0.04F + 0.96F * edge;
-        const float back = rough.eval(viewer, light).x;
-        const float on = rough.eval(viewer, {light.x, light.y, -light.z}).x;
+        const float back = rough.evaluate(viewer, light).reflected.x;
+        const float on = rough.evaluate(viewer, {light.x, light.y, -light.z}).reflected.x;
         EXPECT_NEAR(on * reflectance, back * (1.0F - reflectance), 1e-5F * std::max(on, 1.0F));
     }
 }
@@ -250,8 +252,8 @@ TEST(Bsdf, AMirrorObeysTheLawOfReflection) {
         const auto chosen = bsdf.sample(viewer, {0.9F, 0.5F, 0.5F});
         ASSERT_TRUE(chosen && chosen->delta);
         EXPECT_EQ(chosen->to_light, sample->to_light);
-        EXPECT_EQ(bsdf.eval(viewer, sample->to_light), Color3f(0.0F));
-        EXPECT_EQ(bsdf.pdf(viewer, sample->to_light), 0.0F);
+        EXPECT_EQ(bsdf.evaluate(viewer, sample->to_light).reflected, Color3f(0.0F));
+        EXPECT_EQ(bsdf.evaluate(viewer, sample->to_light).pdf, 0.0F);
     }
     EXPECT_FALSE(flat(metal(0.5F)).sample_mirror({0.0F, 0.0F, 1.0F}));
 }
@@ -260,7 +262,7 @@ TEST(Bsdf, BlackSurfacesGiveOffNothing) {
     const V3f normal(0.0F, 0.0F, 1.0F);
     const Bsdf bsdf = flat(metal(0.5F, Color3f(0.0F)));
     EXPECT_FALSE(bsdf.sample(normal, {0.5F, 0.0F, 0.0F}));
-    EXPECT_EQ(bsdf.eval(normal, normal), Color3f(0.0F));
+    EXPECT_EQ(bsdf.evaluate(normal, normal).reflected, Color3f(0.0F));
 }
 
 }  // namespace

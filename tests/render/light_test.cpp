@@ -27,7 +27,7 @@ float straight_on(float grey) {
     const V3f up(0.0F, 0.0F, 1.0F);
     Appearance appearance;
     appearance.base_color = Color3f(grey);
-    return Bsdf(appearance, up, up).eval(up, up).x;
+    return Bsdf(appearance, up, up).evaluate(up, up).reflected.x;
 }
 
 const float matt_straight_on = straight_on(1.0F);

@@ -100,12 +100,6 @@ public:
     /// `to_light` may be below a surface that transmits light.
     [[nodiscard]] Value evaluate(const View& view, const V3f& to_light) const;
     [[nodiscard]] Value evaluate(const V3f& to_viewer, const V3f& to_light) const;
-    [[nodiscard]] Color3f eval(const V3f& to_viewer, const V3f& to_light) const {
-        return evaluate(to_viewer, to_light).reflected;
-    }
-    [[nodiscard]] float pdf(const V3f& to_viewer, const V3f& to_light) const {
-        return evaluate(to_viewer, to_light).pdf;
-    }
 
     /// A direction from three numbers in [0, 1): the first selects the lobe. Nothing if the
     /// direction points to the wrong side of the surface, or if the surface is black.
