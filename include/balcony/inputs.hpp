@@ -28,6 +28,10 @@ namespace balcony::app {
 /// Whether a camera is given as scene:NAME, or scene: for the first camera of the scene.
 [[nodiscard]] bool is_of_scene(const std::string& camera);
 
+/// The camera of a scene of such a name.
+[[nodiscard]] Result<const scene::Camera*> camera_of(const scene::Scene& scene,
+                                                     const std::string& camera);
+
 /// A selected camera, with values for its parameters.
 struct CameraArgument {
     std::filesystem::path file;

@@ -30,6 +30,14 @@ struct SceneMeasures {
     std::array<double, 3> min{-1.0, -1.0, 0.0}, max{1.0, 1.0, 2.0};  ///< Its bounds.
     /// A point in the open, from which much of it is seen.
     std::array<double, 3> inside{0.0, 0.0, 1.0};
+    /// How large the scene appears from there, as an angle; all round by default.
+    double angle = 6.283185307179586;
+    /// Where a camera that stands there looks, in radians, as the parameters of these names of the
+    /// built-in cameras; without it, where its file says.
+    struct Look {
+        double yaw = 0.0, pitch = 0.0, roll = 0.0;
+    };
+    std::optional<Look> look{};
     /// Of the vertical cylinder around the centre of the bounds that contains everything.
     double radius = 1.42;
     /// The surface of revolution around the same axis that contains everything: distances from the

@@ -41,7 +41,7 @@ namespace balcony::app {
 /// Only --checkpoint-every and --film-memory.
 [[nodiscard]] Options<JobRequest> safety_options();
 
-/// --fit, --no-fit and --fit-to
+/// --fit, --no-fit, --fit-to and --from
 [[nodiscard]] Options<Placement> placement_options();
 /// Of what is rendered, and through which camera: --add, --camera, --set and its placement
 [[nodiscard]] Options<Request> scene_options();
@@ -58,9 +58,9 @@ namespace balcony::app {
 template <class Target, class First, class... More>
 [[nodiscard]] Option<Target> time_option(double largest, First Target::*first, More... more) {
     return option({.name = "--time",
+                   .others = {"--frame?"},
                    .placeholder = "T",
                    .meaning = "the time in seconds: of the scene's animations, and t in the "
-                   .others = {"--frame?"},
                               "camera's formulas"},
                   number(-largest, largest, "give a number", "s"), first, more...);
 }
@@ -69,9 +69,9 @@ template <class Target, class First, class... More>
 template <class Target>
 [[nodiscard]] Option<Target> set_option(std::vector<std::string> Target::*set) {
     return words({.name = "--set",
+                  .others = {"--fov=fov={}", "--param"},
                   .placeholder = "NAME=VALUE",
                   .meaning = "value of a parameter of the camera or picture; may be repeated",
-                  .others = {"--fov=fov={}", "--param"},
                   .type = OptionType::setting},
                  set);
 }

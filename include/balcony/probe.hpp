@@ -94,8 +94,9 @@ struct SceneExtent {
     /// Of all but its surroundings: a ground or a sky much larger than all other objects together.
     /// No side is shorter than a fiftieth of the radius.
     Imath::Box3d bounds;
-    /// At eye level, 1.6 metres, above what is below, but not above the middle of a low scene; in
-    /// the open, where much is seen and nothing is near.
+    /// Of a scene: at eye level, 1.6 metres, above what is below, but not above the middle of a low
+    /// scene; in the open, where much is seen and nothing is near. Of an object: where most of it
+    /// is seen, if possible from in front of it and slightly above.
     Imath::V3d inside{0.0};
     /// Of the vertical cylinder around the centre of the bounds that contains everything.
     double radius = 0.0;

@@ -123,10 +123,17 @@ struct Placement {
     /// Whether the camera is placed by the size of the scene, as its file says; if empty, whether
     /// it is built in.
     std::optional<bool> fit{};
-    std::string fit_to{};  ///< By the size of an object of the scene, if it is not empty.
+    /// By the size of an object of the scene, if it is not empty. A camera that stands at a point
+    /// looks at the object.
+    std::string fit_to{};
+    /// Where a camera stands that the scene places: scene:NAME, and it looks as that camera of the
+    /// scene does, or X,Y,Z in the scene's axes; if empty, in the open.
+    std::string from{};
 
     /// Whether it was asked for in words.
-    [[nodiscard]] bool is_demanded() const { return fit.value_or(!fit_to.empty()); }
+    [[nodiscard]] bool is_demanded() const {
+        return fit.value_or(!fit_to.empty() || !from.empty());
+    }
     /// Whether the scene places a camera that is named as in Request::camera.
     [[nodiscard]] bool places(const std::string& camera) const;
 };

@@ -95,7 +95,11 @@ Diagnostics check_request(const Request& request) {
     }
     if (request.placement.is_demanded() &&
         (request.camera.empty() || is_of_scene(request.camera))) {
-        found.push_back(error(Kind::usage, "--fit needs a camera of a file, which it places",
+        found.push_back(error(Kind::usage,
+                              fmt::format("{} needs a camera of a file, which it places",
+                                          !request.placement.from.empty()     ? "--from"
+                                          : !request.placement.fit_to.empty() ? "--fit-to"
+                                                                              : "--fit"),
                               "add --camera FILE or the name of a built-in camera"));
     }
     add(found, check_placement(request.placement, true));

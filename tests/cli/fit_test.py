@@ -2,6 +2,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """Cameras that the scene places: built-in ones, and others with --fit or --fit-to."""
 
+import base64
+import json
+import math
+import struct
+
 import support
 
 CAMERA = """// Looks down, and shows the whole scene.
@@ -102,6 +107,68 @@ class Fit(support.CommandTest):
             hits[words] = facts["layers"][0]["hits"]
         self.assertGreater(hits[("--fit",)], 64 * 64 * 0.1)
         self.assertLess(hits[("--fit", "--set", "width=100")], 64 * 64 * 0.01)
+
+    def located(self, camera, point):
+        words = [f"{name}={value}" for name, value in camera.items()]
+        sets = [word for one in words for word in ("--set", one)]
+        out, _ = self.run_command("locate", "pinhole", *sets, "--size", "32x32", "--axes", "y_up",
+                                  "--point", point, "--json")
+        return json.loads(out)["points"][0]["sightings"]
+
+    def placed(self, *words):
+        out, _ = self.run_command("render", "tiles.obj", "--camera", "pinhole", "--size", "16",
+                                  "-s", "1", "-o", "out.png", *words)
+        line = next(line for line in out.splitlines() if line.startswith("  fitted: "))
+        return dict(word.split("=") for word in line.split()[1:])
+
+    def test_a_camera_that_stands_looks_at_the_object(self):
+        for option in ("--fit-to", "--look-at"):
+            placed = self.placed(option, "tile")
+            (seen,) = self.located(placed, "1.5,0.1,0.5")
+            self.assertAlmostEqual(seen["x"], 16, delta=0.1)
+            self.assertAlmostEqual(seen["y"], 16, delta=0.1)
+            self.assertGreater(seen["distance"], 1)
+
+    def test_the_place_can_be_given(self):
+        placed = self.placed("--look-at", "tile", "--from", "-3,1,4")
+        self.assertEqual((placed["px"], placed["py"], placed["pz"]), ("-3", "-4", "1"))
+        (seen,) = self.located(placed, "1.5,0.1,0.5")
+        self.assertAlmostEqual(seen["x"], 16, delta=0.1)
+        self.assertAlmostEqual(seen["y"], 16, delta=0.1)
+        self.refused("render", "tiles.obj", "-c", "pinhole", "--from", "1,2", code=2,
+                     says="--from cannot be '1,2'", helps="scene:NAME")
+        self.refused("render", "tiles.obj", "-c", "pinhole", "--from", "scene:Front", code=1,
+                     says="has no cameras")
+        self.refused("render", "tiles.obj", "--from", "1,2,3", code=2, says="--from needs a camera")
+
+    def test_a_camera_of_the_scene_gives_its_place_and_its_look(self):
+        # Rolled by 20 degrees, off level and off the axes.
+        turn = [0.2, 0.3, 0.1]
+        turn.append(math.sqrt(1 - sum(part * part for part in turn)))
+        corners = struct.pack("<9f", -1, 0, 0, 1, 0, 0, 0, 1, 0)
+        data = "data:application/octet-stream;base64," + base64.b64encode(corners).decode()
+        (self.folder / "seen.gltf").write_text(json.dumps({
+            "asset": {"version": "2.0"},
+            "buffers": [{"uri": data, "byteLength": len(corners)}],
+            "bufferViews": [{"buffer": 0, "byteLength": len(corners)}],
+            "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+                           "min": [-1, 0, 0], "max": [1, 1, 0]}],
+            "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+            "cameras": [{"type": "perspective", "name": "Front",
+                         "perspective": {"yfov": math.radians(60), "aspectRatio": 1, "znear": 0.1}}],
+            "nodes": [{"mesh": 0}, {"camera": 0, "name": "Front", "translation": [0.5, 1, 4],
+                                    "rotation": turn}],
+            "scenes": [{"nodes": [0, 1]}]}))
+        own = ("render", "seen.gltf", "--size", "32x32", "-s", "1", "--integrator", "preview",
+               "--exposure", "0", "--no-dither")
+        self.run_command(*own, "--camera", "scene:Front", "-o", "a.png")
+        self.run_command(*own, "--camera", "pinhole", "--from", "scene:Front", "--set", "fov=60deg",
+                         "-o", "b.png")
+        one, other = ([pixel for row in support.png_pixels(self.folder / name)[2] for pixel in row]
+                      for name in ("a.png", "b.png"))
+        different = sum(a != b for a, b in zip(one, other))
+        self.assertLess(different, 0.02 * len(one))
+        self.assertGreater(len(set(one)), 1)
 
     def test_mistakes(self):
         render = ("render", "tiles.obj", "-o", "out.png", "--camera")

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 
 #include "support.hpp"
 
@@ -96,6 +97,33 @@ TEST(Fit, ReachesTheLayersOfAPicture) {
     ASSERT_EQ(workspace.fitted().size(), 2U);
     EXPECT_EQ(workspace.fitted().front().name, "a");
     EXPECT_EQ(workspace.fitted().front().value, 1.0);
+}
+
+// The standard camera stands at scene_inside, so that a look turns it; what is set remains.
+TEST(Fit, ALookTurnsACameraThatStands) {
+    const auto camera = [](const std::string& fit) {
+        return text("camera c(px = 0, py = 0, pz = 0, yaw = 0deg, pitch = 0deg) {\n" + fit +
+                    "\nmap u = 0 .. 1, v = 0 .. 1 eye point(0, 0, 0) toward point(1, 0, 0)\n"
+                    "move rotate(y, -pitch), rotate(z, yaw), translate(px, py, pz) }");
+    };
+    const auto fitted = [](const CameraSource& source) {
+        SceneMeasures scene = box();
+        scene.look = SceneMeasures::Look{.yaw = 0.5, .pitch = -0.25};
+        Workspace workspace;
+        workspace.fit_to(scene);
+        const auto made = workspace.make_picture(source, "");
+        EXPECT_TRUE(made) << to_text(made.diagnostics);
+        std::map<std::string, double> values;
+        for (const FittedParameter& one : workspace.fitted()) {
+            values[one.name] = one.value.value_or(NAN);
+        }
+        return values;
+    };
+    using Values = std::map<std::string, double>;
+    EXPECT_EQ(fitted(camera("fit (px, py, pz) = scene_inside, yaw = 90deg")),
+              (Values{{"px", 2.0}, {"py", 3.0}, {"pz", 4.6}, {"yaw", 0.5}, {"pitch", -0.25}}));
+    EXPECT_EQ(fitted(camera("fit (px, py, pz) = scene_center, yaw = 1rad")),
+              (Values{{"px", 3.0}, {"py", 3.0}, {"pz", 6.0}, {"yaw", 1.0}}));
 }
 
 }  // namespace balcony::lang::fit_test

@@ -50,6 +50,17 @@ bool is_of_scene(const std::string& camera) {
     return camera.starts_with(scene_prefix) && !fs::exists(camera, ignored);
 }
 
+Result<const scene::Camera*> camera_of(const scene::Scene& scene, const std::string& camera) {
+    const std::string name = camera.substr(scene_prefix.size());
+    const auto found = std::find_if(
+        scene.cameras.begin(), scene.cameras.end(),
+        [&name](const scene::Camera& one) { return name.empty() || one.name == name; });
+    if (found == scene.cameras.end()) {
+        return unknown_camera(name, scene);
+    }
+    return &*found;
+}
+
 fs::path camera_file(const std::string& camera) {
     return is_of_scene(camera) ? fs::path() : split_camera(camera).file;
 }
@@ -100,14 +111,11 @@ Result<camera::Picture> load_picture(const std::string& picture,
         return error(fmt::format("'{}' has no parameters that --set could set", picture), {},
                      "--set is for cameras of camera files");
     }
-    const std::string name = picture.substr(scene_prefix.size());
-    const auto found = std::find_if(
-        scene.cameras.begin(), scene.cameras.end(),
-        [&name](const scene::Camera& camera) { return name.empty() || camera.name == name; });
-    if (found == scene.cameras.end()) {
-        return unknown_camera(name, scene);
+    const Result<const scene::Camera*> found = camera_of(scene, picture);
+    if (!found) {
+        return found.diagnostics;
     }
-    return picture_of(*found, scene.axes);
+    return picture_of(**found, scene.axes);
 }
 
 Result<camera::Picture> picture_of(const scene::Camera& camera, Axes axes) {

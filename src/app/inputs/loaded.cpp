@@ -136,8 +136,8 @@ private:
         if (!prepare(std::nullopt)) {
             return Diagnostics{};
         }
-        Diagnostics found =
-            fit_cameras(loaded_.cameras, request_.placement, *loaded_.renderer, stop_);
+        Diagnostics found = fit_cameras(loaded_.cameras, request_.placement, *loaded_.scene,
+                                        *loaded_.renderer, stop_);
         if (has_errors(found)) {
             return found;
         }

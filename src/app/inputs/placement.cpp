@@ -6,6 +6,9 @@
 #include <array>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "app/inputs/standpoint.hpp"
 #include "balcony/inputs.hpp"
 #include "balcony/probe.hpp"
 
@@ -21,7 +24,8 @@ bool Placement::places(const std::string& camera) const {
 }
 
 Diagnostics fit_cameras(lang::Workspace& cameras, const Placement& placement,
-                        const render::Renderer& renderer, const std::stop_token& stop) {
+                        const scene::Scene& scene, const render::Renderer& renderer,
+                        const std::stop_token& stop) {
     const Result<render::SceneExtent> extent =
         render::measure_scene(renderer, placement.fit_to, stop);
     if (!extent) {
@@ -36,6 +40,13 @@ Diagnostics fit_cameras(lang::Workspace& cameras, const Placement& placement,
     for (const Imath::V2d& p : extent->profile) {
         measures.profile.push_back({p.x, p.y});
     }
+    const Result<Standpoint> stand = standpoint(placement, scene, *extent);
+    if (!stand) {
+        return stand.diagnostics;
+    }
+    measures.inside = point(stand->position);
+    measures.look = stand->look;
+    measures.angle = stand->angle;
     cameras.fit_to(std::move(measures));
     return extent.diagnostics;
 }
@@ -46,9 +57,11 @@ Diagnostics check_placement(const Placement& placement, bool has_scene) {
         found.push_back(error(Kind::usage, "--fit places a camera in a scene, but there is none",
                               "add --scene FILE"));
     }
-    if (placement.fit == false && !placement.fit_to.empty()) {
-        found.push_back(
-            error(Kind::usage, "--no-fit contradicts --fit-to", "leave out one of them"));
+    if (placement.fit == false && !(placement.fit_to.empty() && placement.from.empty())) {
+        found.push_back(error(
+            Kind::usage,
+            fmt::format("--no-fit contradicts {}", placement.from.empty() ? "--fit-to" : "--from"),
+            "leave out one of them"));
     }
     return found;
 }

@@ -10,10 +10,11 @@
 
 namespace balcony::app {
 
-/// Fits the cameras that a workspace makes from now on to the scene of a renderer, or to its object
-/// that the placement names. An unknown object is an error; so is a stop, of Kind::interrupted.
+/// Fits the cameras that a workspace makes from now on to a scene, which the renderer has, or to
+/// its object that the placement names. An unknown object is an error; so is a stop, of
+/// Kind::interrupted.
 [[nodiscard]] Diagnostics fit_cameras(lang::Workspace& cameras, const Placement& placement,
-                                      const render::Renderer& renderer,
+                                      const scene::Scene& scene, const render::Renderer& renderer,
                                       const std::stop_token& stop);
 
 /// Errors of usage: a demand without a scene, or two that contradict each other.

@@ -18,10 +18,17 @@ Options<Placement> placement_options() {
                    .meaning = "the camera stands where its file says, also a built-in one"},
                   false, &Placement::fit),
              option({.name = "--fit-to",
+                     .others = {"--look-at", "--lookat", "--target"},
                      .placeholder = "OBJECT",
                      .meaning = "place the camera by the size of an object of the scene, such as "
-                                "a vase"},
-                    text(), &Placement::fit_to)}};
+                                "a vase; a camera that stands at a point looks at it"},
+                    text(), &Placement::fit_to),
+             option({.name = "--from",
+                     .others = {"--position", "--eye"},
+                     .placeholder = "PLACE",
+                     .meaning = "where a camera stands that is placed: X,Y,Z in the scene, or "
+                                "scene:NAME as that camera of the scene"},
+                    text(), &Placement::from)}};
 }
 
 Options<Request> scene_options() {
@@ -34,6 +41,7 @@ Options<Request> scene_options() {
                &Request::added),
          option({.name = "--camera",
                  .letter = "-c",
+                 .others = {"--cam"},
                  .placeholder = "FILE[:NAME]",
                  .meaning = "camera file and the NAME of a camera or picture in it (default: the "
                             "last), or a built-in camera; scene:NAME is a camera of the scene "
@@ -41,7 +49,6 @@ Options<Request> scene_options() {
                 text(OptionType::camera), &Request::camera),
          set_option(&Request::set)}};
     made.add(&Request::placement, placement_options());
-                 .others = {"--cam"},
     return made;
 }
 
@@ -55,6 +62,7 @@ Options<Request> picture_options() {
     made.add(sampling_options());
     made.add(&Request::settings, integrator_options());
     made.add(&Request::light, light_options());
+    made.add(&Request::light, lamp_options());
     made.add(look_options());
     made.add(film_options());
     return made;
@@ -62,8 +70,8 @@ Options<Request> picture_options() {
 
 Options<Request> thread_options() {
     return {{option({.name = "--threads",
-    made.add(&Request::light, lamp_options());
                      .letter = "-j",
+                     .others = {"--jobs"},
                      .placeholder = "COUNT",
                      .meaning = "number of threads; 0 uses all processors",
                      .effect = Effect::run},
@@ -72,7 +80,6 @@ Options<Request> thread_options() {
 
 Options<Request> request_options() {
     Options<Request> made = scene_options();
-                     .others = {"--jobs"},
     made.rows.push_back(time_option(std::numeric_limits<double>::max(), &Request::settings,
                                     &render::Settings::time));
     made.add(&Request::shutter, shutter_options());

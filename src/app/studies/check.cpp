@@ -187,7 +187,7 @@ private:
         if (!renderer_ || std::none_of(all.begin(), all.end(), is_placed)) {
             return;
         }
-        add(fit_cameras(workspace_, request_.placement, *renderer_, stop_));
+        add(fit_cameras(workspace_, request_.placement, *scene_, *renderer_, stop_));
         for (Subjects& one : all) {
             if (is_fine() && is_placed(one)) {
                 one.cameras = check_subjects(one.argument, request_, workspace_);

@@ -69,7 +69,32 @@ Axes FittedParameters::axes() const {
     return y_up ? Axes::y_up : Axes::z_up;
 }
 
+// Whether the position is fitted to that of someone who stands in the scene.
+bool FittedParameters::stands() const {
+    const auto px = entries_.find("px");
+    if (px == entries_.end() || axes() != Axes::z_up) {
+        return false;
+    }
+    const Expression& place = tree_[px->second.assignment->value];
+    return place.kind == ExpressionKind::name && place.name.text == "scene_inside";
+}
+
+std::optional<double> FittedParameters::look_of(std::string_view name) const {
+    const bool looks = session_.scene() && session_.scene()->look && stands();
+    const SceneMeasures::Look look = looks ? *session_.scene()->look : SceneMeasures::Look{};
+    return !looks            ? std::nullopt
+           : name == "yaw"   ? std::optional(look.yaw)
+           : name == "pitch" ? std::optional(look.pitch)
+           : name == "roll"  ? std::optional(look.roll)
+                             : std::nullopt;
+}
+
 std::optional<FittedParameters::Fitted> FittedParameters::find(std::string_view name) {
+    if (const std::optional<double> angle = look_of(name)) {
+        Value value{session_.graph()->constant(*angle)};
+        value.unit = Unit::angle;
+        return Fitted{std::move(value), tree_.at(place_.camera->name.span)};
+    }
     const auto found = entries_.find(name);
     if (found == entries_.end()) {
         return std::nullopt;

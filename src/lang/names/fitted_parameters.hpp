@@ -11,7 +11,8 @@
 
 namespace balcony::lang {
 
-/// The `fit` statements of a camera or a picture.
+/// The `fit` statements of a camera or a picture. If the scene has a look, and the camera stands at
+/// scene_inside with z up, then its parameters yaw, pitch and roll are fitted as well.
 class FittedParameters {
 public:
     /// `names` are those that the defaults of parameters may use. Reports names that are not
@@ -36,6 +37,8 @@ private:
     void read(const Assignment& assignment, const std::set<std::string_view>& parameters);
     void add(const Assignment& assignment, std::size_t index);
     [[nodiscard]] Axes axes() const;
+    [[nodiscard]] bool stands() const;
+    [[nodiscard]] std::optional<double> look_of(std::string_view name) const;
 
     const LocatedDefinition place_;
     const SyntaxTree& tree_;

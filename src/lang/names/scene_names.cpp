@@ -65,6 +65,9 @@ void define_scene_names(const SceneMeasures& scene, Axes axes, expr::Graph& grap
     define("scene_center", tuple(center, graph));
     define("scene_size", tuple(size, graph));
     define("scene_inside", tuple(in_axes(scene.inside, axes), graph));
+    Value angle = number(scene.angle, graph);
+    angle.unit = Unit::angle;
+    define("scene_angle", std::move(angle));
     define("scene_radius", number(scene.radius, graph));
     define("scene_profile",
            compound(Value::Form::list, scene.profile,
@@ -74,8 +77,8 @@ void define_scene_names(const SceneMeasures& scene, Axes axes, expr::Graph& grap
 
 void announce_scene_names(Scope& scope) {
     for (const std::string_view name :
-         {"scene_min", "scene_max", "scene_center", "scene_size", "scene_inside", "scene_radius",
-          "scene_profile", "scene_profile_length"}) {
+         {"scene_min", "scene_max", "scene_center", "scene_size", "scene_inside", "scene_angle",
+          "scene_radius", "scene_profile", "scene_profile_length"}) {
         scope.announce(name, "it is known in fit statements only");
     }
 }

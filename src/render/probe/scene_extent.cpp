@@ -11,6 +11,7 @@
 #include "balcony/names.hpp"
 #include "balcony/probe.hpp"
 #include "render/probe/main_objects.hpp"
+#include "render/probe/object_view.hpp"
 #include "render/probe/viewer.hpp"
 
 namespace balcony::render {
@@ -241,7 +242,9 @@ Result<SceneExtent> measure_scene(const Renderer& renderer, const std::string& o
     });
     extent.bounds = thickened(box, extent.radius);
     extent.profile = profile.points(1e-3 * std::max(extent.radius, 1e-9));
-    extent.inside = Inside(scene, Viewer(probed), box, stop).find();
+    const Viewer viewer(probed);
+    extent.inside = *wanted ? place_before(scene, viewer, **wanted, box, stop)
+                            : Inside(scene, viewer, box, stop).find();
     if (stop.stop_requested()) {
         return stopped();
     }
