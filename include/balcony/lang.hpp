@@ -63,7 +63,9 @@ struct Description {
 
     std::string name;
     std::vector<Parameter> parameters;
-    std::string comment;  ///< The comment lines directly above it.
+    /// The comment lines directly above it, without the last paragraph if that has its keywords.
+    std::string comment;
+    std::string keywords;  ///< By which it is found: "360, vr".
     bool is_picture = false;
     std::vector<std::string> layers;  ///< The names in a picture's layers, from back to front.
 };
@@ -240,6 +242,17 @@ private:
 
 /// The names of the built-in cameras by family: fisheye, panorama, ...
 [[nodiscard]] const std::vector<std::string>& built_in_cameras();
+/// A built-in camera that words lead to.
+struct CameraMatch {
+    std::string name;
+    bool is_named = false;  ///< All words are in its name, its keywords or its family.
+};
+/// The built-in cameras that contain the most of some words, such as "flatten a room": in their
+/// names, the keywords of their files, their families and their descriptions. The best come first,
+/// and map projections last.
+[[nodiscard]] std::vector<CameraMatch> search_built_in_cameras(std::string_view words);
+/// The remedy for a name that no built-in camera has: those that it leads to, or a similar name.
+[[nodiscard]] std::string instead_of_camera(std::string_view name);
 /// The family of a built-in camera, which is its folder in cameras/; empty if there is none.
 [[nodiscard]] std::string_view family_of(std::string_view built_in_camera);
 

@@ -14,6 +14,9 @@ struct BuiltInCamera {
     std::string_view text;
 };
 
+/// The family of the map projections, which are many.
+inline constexpr std::string_view map_family = "maps";
+
 /// All built-in cameras, by family and name; CMake generates the definition.
 [[nodiscard]] std::span<const BuiltInCamera> built_in_camera_files();
 /// A built-in camera by its name, with or without .cam; null if there is none.

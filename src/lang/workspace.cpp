@@ -216,6 +216,11 @@ Description description_of(const SyntaxTree& tree, const DefinitionSyntax& camer
     Description made;
     made.name = std::string(camera.name.text);
     made.comment = comment_above(tree, camera.span.begin);
+    const std::size_t keywords = made.comment.rfind("\n\nKeywords: ");
+    if (keywords != std::string::npos) {
+        made.keywords = made.comment.substr(keywords + std::string_view("\n\nKeywords: ").size());
+        made.comment.erase(keywords);
+    }
     made.is_picture = camera.is_picture;
     add_layers(tree, camera.statements, made.layers);
     for (const DefinitionParameter& parameter : camera.parameters) {

@@ -3,6 +3,9 @@
 //
 // Files, imports, names of cameras and values from outside.
 
+#include <algorithm>
+#include <utility>
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -143,10 +146,58 @@ TEST(Load, AWordOfADescriptionFindsItsCamera) {
     const auto remedy = [](const char* name) {
         return make_camera(name, "").diagnostics.at(0).remedy;
     };
-    EXPECT_TRUE(remedy("equirectangular")
-                    .starts_with("'equirectangular' is in the description of 'panorama'"))
+    EXPECT_TRUE(remedy("equirectangular").starts_with("did you mean 'panorama'"))
         << remedy("equirectangular");
     EXPECT_EQ(remedy("nowhere_to_be_found"), "'balcony list cameras' shows the built-in cameras");
+}
+
+TEST(Load, WordsOfOthersLeadToACamera) {
+    const auto first = [](std::string_view words) {
+        const std::vector<CameraMatch> found = search_built_in_cameras(words);
+        return found.empty() ? std::string("nothing") : found.front().name;
+    };
+    EXPECT_EQ(first("perspective"), "pinhole");
+    EXPECT_EQ(first("360"), "panorama");
+    EXPECT_EQ(first("equirectangular"), "panorama");
+    EXPECT_EQ(first("top"), "orthographic");
+    const std::vector<CameraMatch> flat = search_built_in_cameras("flatten a room");
+    ASSERT_EQ(flat.size(), 2U);
+    EXPECT_EQ(flat[0].name, "cylinder");
+    EXPECT_EQ(flat[1].name, "superelliptic");
+    EXPECT_EQ(first("unroll a vase"), "rollout");
+    EXPECT_EQ(first("qwertyuiop"), "nothing");
+    for (const auto& [word, family] :
+         {std::pair("unwrap", "unroll"), std::pair("stereo", "stereo"), std::pair("vr", "panorama"),
+          std::pair("cubemap", "panorama"), std::pair("dome", "dome")}) {
+        EXPECT_EQ(family_of(first(word)), family) << word << " finds " << first(word);
+    }
+    // Both are in keywords, but a map comes after all others.
+    const std::vector<CameraMatch> found = search_built_in_cameras("stereographic");
+    const auto is_map = [](const CameraMatch& one) { return family_of(one.name) == "maps"; };
+    EXPECT_TRUE(std::any_of(found.begin(), found.end(), is_map));
+    EXPECT_TRUE(std::is_partitioned(found.begin(), found.end(),
+                                    [&](const CameraMatch& one) { return !is_map(one); }));
+}
+
+TEST(Load, AMapIsNotTakenSilentlyForAnotherCamera) {
+    const auto warned = [](const char* name) { return make_camera(name, "").diagnostics; };
+    ASSERT_EQ(warned("ortho").size(), 1U);
+    EXPECT_EQ(warned("ortho")[0].message, "'ortho' is the map projection of this name");
+    EXPECT_TRUE(warned("ortho")[0].remedy.starts_with("did you mean 'orthographic'?"));
+    EXPECT_TRUE(warned("ortho.cam").empty());
+    EXPECT_TRUE(warned("robin").empty());
+}
+
+TEST(Load, KeywordsAreNoPartOfTheComment) {
+    const test::TemporaryFolder folder;
+    const auto file = folder.write(
+        "a.cam",
+        "// A use.\n//\n// Keywords: vr, 360.\ncamera a { map u = 0 .. 1, v = 0 .. 1 eye "
+        "surface(u, v) = [u, v, 0] look normal }\n");
+    const auto described = Workspace().describe(file);
+    ASSERT_TRUE(described);
+    EXPECT_EQ(described->front().comment, "A use.");
+    EXPECT_EQ(described->front().keywords, "vr, 360.");
 }
 
 TEST(Load, DescribesCameras) {

@@ -26,6 +26,7 @@ using camera::StageParameter;
 
 struct ListOptions {
     std::string what;
+    std::string search;
     std::string markdown;
     Manner manner;
     const CLI::App* app = nullptr;  ///< All commands.
@@ -149,11 +150,9 @@ nlohmann::json camera_json(const lang::Description& described) {
     for (const auto& parameter : described.parameters) {
         parameters.push_back({{"name", parameter.name}, {"default", parameter.default_text}});
     }
-    return {{"name", described.name},
-            {"kind", described.is_picture ? "picture" : "camera"},
-            {"comment", described.comment},
-            {"parameters", parameters},
-            {"layers", described.layers}};
+    return {{"name", described.name},       {"kind", described.is_picture ? "picture" : "camera"},
+            {"comment", described.comment}, {"keywords", described.keywords},
+            {"parameters", parameters},     {"layers", described.layers}};
 }
 
 std::string first_sentence(const std::string& comment) {
@@ -216,12 +215,24 @@ std::string names_text(std::string_view family) {
     return text + " " + line + "\n  What one is for: balcony list NAME\n";
 }
 
-// Under the names of their families, one per line with what it is for.
-std::string built_in_text(const std::vector<lang::Description>& cameras) {
+std::size_t longest_name(const std::vector<lang::Description>& cameras) {
     std::size_t longest = 0;
     for (const lang::Description& described : cameras) {
         longest = std::max(longest, described.name.size());
     }
+    return longest;
+}
+
+// One line with what it is for.
+std::string line_of(const lang::Description& described, std::size_t longest) {
+    std::string use = first_sentence(described.comment);
+    std::replace(use.begin(), use.end(), '\n', ' ');
+    return fmt::format("  {:<{}} {}\n", described.name, longest, use);
+}
+
+// Under the names of their families, one per line.
+std::string built_in_text(const std::vector<lang::Description>& cameras) {
+    const std::size_t longest = longest_name(cameras);
     std::string text;
     std::string_view heading;
     for (const lang::Description& described : cameras) {
@@ -236,9 +247,7 @@ std::string built_in_text(const std::vector<lang::Description>& cameras) {
         if (is_large(family)) {
             continue;
         }
-        std::string use = first_sentence(described.comment);
-        std::replace(use.begin(), use.end(), '\n', ' ');
-        text += fmt::format("  {:<{}} {}\n", described.name, longest, use);
+        text += line_of(described, longest);
     }
     return text;
 }
@@ -270,18 +279,55 @@ Answer list_cameras(const ListOptions& options) {
     return answer;
 }
 
+// Those of a search or a family, of which not too many are shown.
+Answer list_found(const std::vector<std::string>& names, std::size_t most) {
+    Answer answer;
+    nlohmann::json& all = answer.facts["cameras"] = nlohmann::json::array();
+    const auto known = built_in_descriptions();
+    if (!answer.add(known.diagnostics)) {
+        return answer;
+    }
+    std::vector<lang::Description> shown;
+    for (const std::string& name : names) {
+        const auto one =
+            std::find_if(known->begin(), known->end(),
+                         [&name](const lang::Description& other) { return other.name == name; });
+        all.push_back(camera_json(*one));
+        all.back()["family"] = lang::family_of(name);
+        if (shown.size() < most) {
+            shown.push_back(*one);
+        }
+    }
+    for (const lang::Description& one : shown) {
+        answer.text += line_of(one, longest_name(shown));
+    }
+    if (shown.size() < names.size()) {
+        answer.text += fmt::format("  and {} more\n", names.size() - shown.size());
+    }
+    return answer;
+}
+
+Answer search(const std::string& words) {
+    constexpr std::size_t most = 12;
+    std::vector<std::string> names;
+    for (const lang::CameraMatch& match : lang::search_built_in_cameras(words)) {
+        names.push_back(match.name);
+    }
+    return names.empty() ? Answer{{error(fmt::format("no built-in camera is found by '{}'", words),
+                                         {}, "'balcony list cameras' shows all of them")}}
+                         : list_found(names, most);
+}
+
 Answer refuse_unknown(const ListOptions& options) {
-    std::vector<std::string> known = lang::built_in_cameras();
-    known.insert(known.end(), {"stages", "cameras", "options"});
+    std::vector<std::string> known{"stages", "cameras", "options"};
     for (const StageEntry& row : camera::catalogue()) {
         known.emplace_back(row.name);
         known.push_back(plural_of(row.kind));
     }
-    return {{error(
-        Kind::usage, fmt::format("there is no stage, camera or file named '{}'", options.what),
-        did_you_mean(
-            options.what, known,
-            "write stages, cameras, or the name of a stage, a built-in camera or a .cam file"))}};
+    return {
+        {error(Kind::usage,
+               fmt::format("there is no stage, built-in camera or file named '{}'", options.what),
+               did_you_mean(options.what, known, lang::instead_of_camera(options.what)))}};
 }
 
 // Writes the pages of the documentation. No page is ever incomplete.
@@ -347,6 +393,9 @@ Answer listed(const ListOptions& options) {
     if (!options.markdown.empty()) {
         return write_pages(options);
     }
+    if (!options.search.empty()) {
+        return search(options.search);
+    }
     if (options.what == "stages" || is_kind(options.what) || is_stage(options.what)) {
         return list_stages(options);
     }
@@ -355,7 +404,11 @@ Answer listed(const ListOptions& options) {
         options.what.ends_with(".cam") || std::filesystem::is_regular_file(options.what, ignored)) {
         return list_cameras(options);
     }
-    return options.what == "options" ? list_options(options) : refuse_unknown(options);
+    if (options.what == "options") {
+        return list_options(options);
+    }
+    const std::vector<std::string> family = names_of(options.what);
+    return family.empty() ? refuse_unknown(options) : list_found(family, family.size());
 }
 
 ExitCode list(const ListOptions& options) { return give(listed(options), options.manner); }
@@ -370,8 +423,14 @@ void add_list_command(CLI::App& app, ExitCode& code) {
             {{option({.name = "WHAT",
                       .meaning = "'stages' (default), a kind of stages such as 'object "
                                  "generators', 'cameras', the name of a stage or a built-in "
-                                 "camera, a camera file (.cam), or 'options' (of all commands)"},
+                                 "camera, a family of these, a camera file (.cam), or 'options' "
+                                 "(of all commands)"},
                      text(), &ListOptions::what),
+              option({.name = "--search",
+                      .others = {"--find"},
+                      .placeholder = "WORDS",
+                      .meaning = "the built-in cameras that words lead to, the best first"},
+                     text(), &ListOptions::search),
               option({.name = "--markdown",
                       .placeholder = "FOLDER",
                       .meaning = "write the documentation pages of all stages to a folder, with "
@@ -385,7 +444,9 @@ void add_list_command(CLI::App& app, ExitCode& code) {
             "  balcony list direction_rules   the stages of one kind\n"
             "  balcony list superellipse      one stage with its parameters and its formula\n"
             "  balcony list cameras           the built-in cameras, by family\n"
+            "  balcony list dome              those of a family\n"
             "  balcony list panorama          one of them with its parameters\n"
+            "  balcony list --search \"flatten a room\"\n"
             "  balcony list gallery.cam       the cameras of a file");
     };
     add_command<ListOptions>(app, code, "list", "lists stages and cameras", list, describe);

@@ -29,22 +29,15 @@ std::vector<std::string> built_in_names(std::string_view suffix) {
     return names;
 }
 
-// The remedy for an unknown name: a camera with a similar name, or cameras whose descriptions
-// contain it, such as panorama for "equirectangular".
-std::string instead_of(std::string_view name) {
-    std::vector<std::string> described;
+// The cameras that a map projection of this name may be taken for, such as orthographic for ortho.
+std::vector<std::string> meant_instead_of(const BuiltInCamera& map) {
+    std::vector<std::string> names;
     for (const BuiltInCamera& camera : built_in_camera_files()) {
-        const std::string_view comment = camera.text.substr(0, camera.text.find("\ncamera "));
-        if (comment.find(name) != std::string_view::npos) {
-            described.emplace_back(camera.name);
+        if (camera.family != map_family && camera.name.starts_with(map.name)) {
+            names.emplace_back(camera.name);
         }
     }
-    constexpr std::size_t max_described = 8;
-    return did_you_mean(
-        name, built_in_names(""),
-        described.empty() || described.size() > max_described
-            ? "'balcony list cameras' shows the built-in cameras"
-            : fmt::format("'{}' is in the description of {}", name, all_of(described)));
+    return names;
 }
 
 // Whether nothing in a text is a definition. Messages show no line of such a file, which a
@@ -69,6 +62,35 @@ const BuiltInCamera* find_built_in_camera(std::string_view name) {
         }
     }
     return nullptr;
+}
+
+std::string instead_of_camera(std::string_view name) {
+    std::vector<std::string> usual;
+    for (const BuiltInCamera& camera : built_in_camera_files()) {
+        if (camera.family != map_family) {
+            usual.emplace_back(camera.name);
+        }
+    }
+    if (const auto nearest = nearest_name(name, usual)) {
+        return fmt::format("did you mean '{}'?", *nearest);
+    }
+    constexpr std::size_t most = 5;
+    std::vector<std::string> named;
+    std::vector<std::string> described;
+    const bool is_file = name.find_first_of("./\\") != std::string_view::npos;
+    for (const CameraMatch& match : search_built_in_cameras(is_file ? "" : name)) {
+        std::vector<std::string>& names = match.is_named ? named : described;
+        if (names.size() < most) {
+            names.push_back(match.name);
+        }
+    }
+    if (!named.empty()) {
+        return fmt::format("did you mean {}?", one_of(named));
+    }
+    return did_you_mean(name, built_in_names(""),
+                        described.empty() ? "'balcony list cameras' shows the built-in cameras"
+                                          : fmt::format("'{}' is in the description of {}", name,
+                                                        all_of(described)));
 }
 
 Session::Session(Files& files, std::optional<SceneMeasures> scene)
@@ -151,12 +173,23 @@ Module* Session::load(const fs::path& file) {
     const BuiltInCamera* built_in = find_built_in_camera(name);
     std::error_code failure;
     if (built_in != nullptr && !fs::is_regular_file(file, failure)) {
+        const std::vector<std::string> meant = meant_instead_of(*built_in);
+        if (built_in->family == map_family && name == built_in->name && !meant.empty()) {
+            reporter_.warning({}, fmt::format("'{}' is the map projection of this name", name),
+                              fmt::format("did you mean {}? '{}.cam' is the projection without "
+                                          "this warning",
+                                          one_of(meant), name));
+        }
         return open_built_in(built_in->name);
     }
     const std::optional<std::string> key = files_.key_of(file);
+    if (!key && name.find("://") != std::string::npos) {
+        reporter_.add(*not_a_file(file, fmt::format("'{}'", name)));
+        return nullptr;
+    }
     if (!key) {
         reporter_.error({}, fmt::format("there is no file and no built-in camera named '{}'", name),
-                        instead_of(name));
+                        instead_of_camera(name));
         return nullptr;
     }
     return open_file(*key, file, name, {});
@@ -183,10 +216,6 @@ const LocatedDefinition* Session::find(const Module& module, std::string_view na
 }
 
 bool Session::known(const std::string& key, const SourceSpan& asked, Module*& found) {
-    if (!key && name.find("://") != std::string::npos) {
-        reporter_.add(*not_a_file(file, fmt::format("'{}'", name)));
-        return nullptr;
-    }
     const auto circle = std::find_if(opened_.begin(), opened_.end(),
                                      [&key](const Opened& open) { return open.key == key; });
     if (circle != opened_.end()) {
