@@ -17,14 +17,15 @@ namespace balcony::lang::bounded_work_test {
 
 namespace {
 
-/// Each test takes at most half a second of the processor, whatever else the machine does, and much
-/// more than the limit without what it tests.
+/// Each test takes less than a second of the processor, whatever else the machine does, and more
+/// than the limit without what it tests.
 class BoundedWork : public testing::Test {
 protected:
     void TearDown() override {
-        constexpr double limit = 5.0;  // In seconds, with room for sanitizers.
-        EXPECT_LT(static_cast<double>(std::clock() - began_) / CLOCKS_PER_SEC, limit);
+        EXPECT_LT(static_cast<double>(std::clock() - began_) / CLOCKS_PER_SEC, limit_);
     }
+
+    double limit_ = 5.0;  ///< In seconds, with room for sanitizers.
 
 private:
     std::clock_t began_ = std::clock();
@@ -119,7 +120,7 @@ TEST_F(BoundedWork, TakesManyValuesOfALayer) {
 
 TEST_F(BoundedWork, KnowsTheParametersOfManyFunctions) {
     const auto functions =
-        repeated(20'000, [](std::size_t i) { return fmt::format("let f{}(a, b) = a", i); });
+        repeated(45'000, [](std::size_t i) { return fmt::format("let f{}(a, b) = a", i); });
     const auto result = made(fmt::format("{}\ncamera a {}", functions, sphere));
     ASSERT_EQ(result.diagnostics.size(), 101U);
     EXPECT_EQ(result.diagnostics[1].message, "the parameter 'b' is unused");
@@ -149,6 +150,7 @@ TEST_F(BoundedWork, WritesManyStagesThatChangeWithTime) {
 }
 
 TEST_F(BoundedWork, FindsTheCommentsOfManyDefinitions) {
+    limit_ = 1.5;
     const auto cameras = repeated(
         25'000, [](std::size_t i) { return fmt::format("camera a{} {{ eye point }}", i); });
     const auto comments = repeated(100'000, [](std::size_t) { return "//"; });
