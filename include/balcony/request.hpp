@@ -127,7 +127,7 @@ struct Placement {
     /// looks at the object.
     std::string fit_to{};
     /// Where a camera stands that the scene places: scene:NAME, and it looks as that camera of the
-    /// scene does, or X,Y,Z in the scene's axes; if empty, in the open.
+    /// scene does, or X,Y,Z in the scene's axes; if empty, in the open. Other words are not valid.
     std::string from{};
 
     /// Whether it was asked for in words.

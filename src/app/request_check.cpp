@@ -20,7 +20,7 @@ namespace {
 
 bool is_positive(double value) { return value > 0.0; }
 bool is_finite(double value) { return std::isfinite(value); }
-bool is_frame(std::size_t number) { return 1 <= number && number <= max_frame; }
+bool is_frame(std::size_t number) { return number <= max_frame; }
 bool is_side(std::size_t pixels) { return 1 <= pixels && pixels <= max_side; }
 bool is_shard(const render::Shard& shard) {
     return shard.index < shard.count && shard.count <= render::max_shards;

@@ -21,6 +21,7 @@ const std::map<std::string, std::pair<std::string, std::string>>& examples() {
         {"--fit", {"true", ""}},
         {"--no-fit", {"true", ""}},
         {"--fit-to", {"vase", ""}},
+        {"--from", {"1,1.6,-2", ""}},
         {"--time", {"0.5", ""}},
         {"--shutter", {"1/50", "0.02"}},
         {"--shutter-shape", {"trapezoid", ""}},

@@ -80,7 +80,7 @@ TEST(RequestValues, OfAnAnimationAreNamedToo) {
          }},
         {"AnimationRequest::frames",
          [](AnimationRequest& a) {
-             a.frames = {0, 1};
+             a.frames = {1, max_frame + 1};
          }},
         {"AnimationRequest::start_time", [](AnimationRequest& a) { a.start_time = HUGE_VAL; }},
         {"AnimationRequest::shard",

@@ -29,6 +29,10 @@ std::size_t try_snippets(const std::filesystem::path& page) {
         const test::TemporaryFolder folder;
         folder.write("lengths.cam", "let room_length = 9");
         folder.write("calibration.yml", calibration);
+        folder.write("camchain.yml",
+                     "cam0:\n  camera_model: pinhole\n  intrinsics: [460, 460, 370, 240]\n"
+                     "  distortion_model: radtan\n  distortion_coeffs: [0, 0, 0, 0]\n"
+                     "  resolution: [752, 480]\n");
         folder.write("plain.yml", "K: [620, 620, 800, 600]\nD: [0, 0, 0, 0]\n");
         const std::string snippet = text.substr(at, text.find("```", at) - at);
         EXPECT_EQ(to_text(test::check(folder.write("snippet.cam", snippet))), "")

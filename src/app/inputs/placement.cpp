@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "app/inputs/standpoint.hpp"
+#include "app/options/word_parts.hpp"
 #include "balcony/inputs.hpp"
 #include "balcony/probe.hpp"
 
@@ -62,6 +63,9 @@ Diagnostics check_placement(const Placement& placement, bool has_scene) {
             Kind::usage,
             fmt::format("--no-fit contradicts {}", placement.from.empty() ? "--fit-to" : "--from"),
             "leave out one of them"));
+    }
+    if (!placement.from.empty() && !is_of_scene(placement.from) && !point_of(placement.from)) {
+        found.push_back(error(Kind::internal, "Placement::from is out of range"));
     }
     return found;
 }

@@ -10,7 +10,6 @@
 
 #include "app/options/word_parts.hpp"
 #include "balcony/inputs.hpp"
-#include "balcony/options.hpp"
 
 namespace balcony::app {
 
@@ -48,12 +47,7 @@ Result<Standpoint> standpoint(const Placement& placement, const scene::Scene& sc
         made.position = turned((*camera)->position, scene.axes, Axes::z_up);
         made.look = look_of(**camera, scene.axes);
     } else if (!placement.from.empty()) {
-        const std::optional<V3d> point = point_of(placement.from);
-        if (!point) {
-            return refused("--from", placement.from,
-                           "write X,Y,Z, such as 1,1.6,-2, or scene:NAME of a camera of the scene");
-        }
-        made.position = turned(*point, scene.axes, Axes::z_up);
+        made.position = turned(point_of(placement.from).value(), scene.axes, Axes::z_up);
     }
     if (!placement.fit_to.empty()) {
         const V3d way = 0.5 * (extent.bounds.min + extent.bounds.max) - made.position;

@@ -5,9 +5,27 @@
 
 #include <limits>
 
+#include "app/options/word_parts.hpp"
 #include "app/words.hpp"
+#include "balcony/inputs.hpp"
 
 namespace balcony::app {
+
+namespace {
+
+Value<std::string> place() {
+    Value<std::string> made = text();
+    made.read = [](std::string_view word) -> std::optional<std::string> {
+        const std::string place(word);
+        return is_of_scene(place) || point_of(word) ? std::optional(place) : std::nullopt;
+    };
+    made.remedy = [](std::string_view) {
+        return "write X,Y,Z, such as 1,1.6,-2, or scene:NAME of a camera of the scene";
+    };
+    return made;
+}
+
+}  // namespace
 
 Options<Placement> placement_options() {
     return {{flag({.name = "--fit",
@@ -28,7 +46,7 @@ Options<Placement> placement_options() {
                      .placeholder = "PLACE",
                      .meaning = "where a camera stands that is placed: X,Y,Z in the scene, or "
                                 "scene:NAME as that camera of the scene"},
-                    text(), &Placement::from)}};
+                    place(), &Placement::from)}};
 }
 
 Options<Request> scene_options() {

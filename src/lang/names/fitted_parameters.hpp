@@ -26,7 +26,9 @@ public:
         SourceSpan place;
     };
     [[nodiscard]] std::optional<Fitted> find(std::string_view name);
-    [[nodiscard]] bool contains(std::string_view name) const { return entries_.contains(name); }
+    [[nodiscard]] bool contains(std::string_view name) const {
+        return entries_.contains(name) || look_of(name);
+    }
 
 private:
     struct Entry {
