@@ -21,7 +21,6 @@ int main(int argc, char** argv) {
     app::Request request;
     request.scene = argc > 1 ? argv[1] : "scene.obj";
     request.camera = "panorama";
-    request.fit = true;
     request.size.width = 64;
     request.output = "picture.exr";
     request.job.resume = true;

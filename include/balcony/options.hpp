@@ -20,6 +20,7 @@
 #include <vector>
 
 #include <Imath/ImathColor.h>
+#include <Imath/ImathVec.h>
 
 #include "balcony/base.hpp"
 #include "balcony/names.hpp"
@@ -166,6 +167,8 @@ struct Value {
 /// The whole word as a finite number: a double, a float or a std::size_t. It may have a sign.
 template <class Number>
 [[nodiscard]] std::optional<Number> number_of(std::string_view word);
+/// X,Y,Z
+[[nodiscard]] std::optional<Imath::V3d> point_of(std::string_view word);
 
 [[nodiscard]] Value<std::size_t> count(std::size_t minimum, std::size_t maximum);
 /// A double or a float.
@@ -242,14 +245,14 @@ template <class T>
 
 // ------------------------------------------------------------------------------------- rows
 
-/// The part of a target at the end of a path of members.
+/// What is at the end of a path of members of a target.
 template <class Target>
-[[nodiscard]] Target& part_of(Target& target) {
+[[nodiscard]] Target& member_of(Target& target) {
     return target;
 }
 template <class Target, class Member, class... More>
-[[nodiscard]] auto& part_of(Target& target, Member member, More... more) {
-    return part_of(target.*member, more...);
+[[nodiscard]] auto& member_of(Target& target, Member member, More... more) {
+    return member_of(target.*member, more...);
 }
 
 /// An option from how its words are read and written, with its default written.
@@ -277,13 +280,13 @@ template <class T, class Target, class First, class... More>
             std::span<const std::string> words, Target& target, Diagnostics& found) {
             std::optional<T> made = read(words.back());
             if (made) {
-                part_of(target, first, more...) = std::move(*made);
+                member_of(target, first, more...) = std::move(*made);
             } else {
                 found.push_back(refused(name, words.back(), remedy(words.back())));
             }
         },
         [write = value.write, first, more...](const Target& target) {
-            std::string word = write(part_of(target, first, more...));
+            std::string word = write(member_of(target, first, more...));
             return word.empty() ? std::vector<std::string>{} : std::vector{std::move(word)};
         });
 }
@@ -297,11 +300,11 @@ template <class Target, class First, class... More>
     return custom_option<Target>(
         std::move(info),
         [set_to, first, more...](std::span<const std::string>, Target& target, Diagnostics&) {
-            part_of(target, first, more...) = set_to;
+            member_of(target, first, more...) = set_to;
         },
         [set_to, first, more...](const Target& target) {
-            return part_of(target, first, more...) == set_to ? std::vector<std::string>{"true"}
-                                                             : std::vector<std::string>{};
+            return member_of(target, first, more...) == set_to ? std::vector<std::string>{"true"}
+                                                               : std::vector<std::string>{};
         });
 }
 
@@ -312,10 +315,10 @@ template <class Target, class First, class... More>
     return custom_option<Target>(
         std::move(info),
         [first, more...](std::span<const std::string> given, Target& target, Diagnostics&) {
-            part_of(target, first, more...).assign(given.begin(), given.end());
+            member_of(target, first, more...).assign(given.begin(), given.end());
         },
         [first, more...](const Target& target) {
-            const auto& all = part_of(target, first, more...);
+            const auto& all = member_of(target, first, more...);
             return std::vector<std::string>(all.begin(), all.end());
         });
 }

@@ -52,7 +52,7 @@ lang::SceneMeasures hall() {
 }  // namespace
 
 TEST_P(BuiltIn, IsMadeWithoutDiagnostics) {
-    const Result<camera::Picture> made = lang::make_picture(GetParam(), "");
+    const Result<camera::Picture> made = lang::make_picture(file_name(GetParam()), "");
     ASSERT_TRUE(made) << to_text(made.diagnostics);
     EXPECT_EQ(to_text(made.diagnostics), "");
     EXPECT_EQ(made->name(), GetParam()) << "the last camera of a file has its name";
@@ -78,7 +78,7 @@ TEST_P(BuiltIn, IsFormatted) {
 TEST_P(BuiltIn, FitsAScene) {
     lang::Workspace workspace;
     workspace.fit_to(hall());
-    const Result<camera::Picture> made = workspace.make_picture(GetParam());
+    const Result<camera::Picture> made = workspace.make_picture(file_name(GetParam()));
     ASSERT_TRUE(made) << to_text(made.diagnostics);
     EXPECT_EQ(to_text(made.diagnostics), "");
     EXPECT_FALSE(workspace.fitted().empty()) << "no fit statement";

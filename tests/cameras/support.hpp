@@ -21,11 +21,16 @@ using rays::Ray;
 
 inline constexpr double degree = std::numbers::pi / 180.0;
 
+/// The file of a built-in camera, by whose name a map is taken without a warning, or another file.
+inline std::string file_name(const std::string& camera) {
+    return lang::family_of(camera).empty() ? camera : camera + ".cam";
+}
+
 /// A built-in camera, or a camera of a file, with values for its parameters: {{"fov", "90deg"}}. A
 /// diagnostic fails the test.
 inline camera::Camera make(const std::string& name,
                            const std::vector<lang::Override>& overrides = {}) {
-    const Result<camera::Camera> made = lang::make_camera(name, "", overrides);
+    const Result<camera::Camera> made = lang::make_camera(file_name(name), "", overrides);
     EXPECT_TRUE(made) << name;
     EXPECT_EQ(to_text(made.diagnostics), "") << name;
     return *made;
@@ -34,7 +39,7 @@ inline camera::Camera make(const std::string& name,
 /// The same for a picture.
 inline camera::Picture make_picture(const std::string& name,
                                     const std::vector<lang::Override>& overrides = {}) {
-    const Result<camera::Picture> made = lang::make_picture(name, "", overrides);
+    const Result<camera::Picture> made = lang::make_picture(file_name(name), "", overrides);
     EXPECT_TRUE(made) << name;
     EXPECT_EQ(to_text(made.diagnostics), "") << name;
     return *made;

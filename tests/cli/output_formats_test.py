@@ -13,7 +13,7 @@ class Outputs(support.CommandTest):
                                 ("p.webp", b"RIFF"), ("p.tif", b"II*\0"), ("p.tiff", b"II*\0")):
             self.run_command("render", "scene.obj", *SMALL, "-o", name)
             self.assertTrue((self.folder / name).read_bytes().startswith(signature), name)
-        self.refused("render", "scene.obj", "-o", "p.gif", code=2, says="not a picture format",
+        self.refused("render", "scene.obj", "-o", "p.bmp", code=2, says="not a picture format",
                      helps=".png, .jpg, .jpeg, .webp, .tif, .tiff, or .exr")
         self.refused("render", "scene.obj", "--size", "20000x2", "-o", "p.webp", code=2,
                      says="at most 16383 pixels")

@@ -21,7 +21,7 @@ class Completion(support.CommandTest):
         self.assertIn("render", commands)
         for command in commands:
             self.assertIn(f"\n  {command} ", text)
-            own, _ = self.run_command(command, "--help")
+            own, _ = self.run_command(command, "--help", "all")
             for option in self.words(command, "-"):
                 self.assertIn(option, own)
             self.assertIn("--help", self.words(command, "--"))

@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 
 #include "app/inputs/standpoint.hpp"
-#include "app/options/word_parts.hpp"
 #include "balcony/inputs.hpp"
+#include "balcony/options.hpp"
 #include "balcony/probe.hpp"
 
 namespace balcony::app {

@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "app/options/word_parts.hpp"
 #include "balcony/inputs.hpp"
+#include "balcony/options.hpp"
 
 namespace balcony::app {
 

@@ -5,7 +5,6 @@
 
 #include <limits>
 
-#include "app/options/word_parts.hpp"
 #include "app/words.hpp"
 #include "balcony/inputs.hpp"
 

@@ -3,11 +3,8 @@
 #pragma once
 
 #include <numbers>
-#include <optional>
 #include <string_view>
 #include <vector>
-
-#include <Imath/ImathVec.h>
 
 namespace balcony::app {
 
@@ -26,8 +23,5 @@ inline constexpr double degree = std::numbers::pi / 180.0;
         word.remove_prefix(end + 1);
     }
 }
-
-/// "X,Y,Z"
-[[nodiscard]] std::optional<Imath::V3d> point_of(std::string_view word);
 
 }  // namespace balcony::app

@@ -1,7 +1,6 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <limits>
@@ -29,21 +28,6 @@ struct LocateOptions {
     std::string file;  ///< Of further points.
     Manner manner;
 };
-
-// "1,2.5,-3"
-std::optional<V3d> point_of(std::string_view text) {
-    V3d point;
-    for (int axis = 0; axis < 3; ++axis) {
-        const std::size_t comma = text.find(',');
-        const auto number = app::number_of<double>(text.substr(0, comma));
-        if (!number || (comma == std::string_view::npos) != (axis == 2)) {
-            return std::nullopt;
-        }
-        point[axis] = *number;
-        text.remove_prefix(std::min(comma, text.size() - 1) + 1);
-    }
-    return point;
-}
 
 // As much of standard input as a table may have and one byte more, so that an endless stream ends
 // in an error.
@@ -99,7 +83,7 @@ app::Option<LocateRequest> point_option() {
          .repeated = true},
         [](std::span<const std::string> words, LocateRequest& request, Diagnostics& found) {
             for (const std::string& word : words) {
-                if (const std::optional<V3d> point = point_of(word)) {
+                if (const std::optional<V3d> point = app::point_of(word)) {
                     request.points.push_back(*point);
                 } else {
                     found.push_back(app::refused("--point", word,

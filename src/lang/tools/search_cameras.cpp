@@ -129,7 +129,10 @@ std::vector<CameraMatch> search_built_in_cameras(std::string_view words) {
         most = std::max(most, found.words);
         all.push_back(std::move(found));
     }
-    std::erase_if(all, [most](const Found& one) { return most == 0 || one.words < most; });
+    // Those with most of the words, and at least half of them.
+    std::erase_if(all, [&](const Found& one) {
+        return most == 0 || one.words < most || 2 * one.words < wanted.size();
+    });
     std::stable_sort(all.begin(), all.end(), [](const Found& a, const Found& b) {
         return a.is_map != b.is_map ? b.is_map : a.weight > b.weight;
     });
