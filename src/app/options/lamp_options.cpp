@@ -22,7 +22,6 @@ constexpr std::array lamp_kinds{
     Named{LightKind::spot, "spot"},
     Named{LightKind::directional, "sun"},
 };
-constexpr double default_cone = 45.0;  // Degrees.
 
 Value<Imath::Color3f> intensity() { return color(std::numeric_limits<float>::infinity(), {}); }
 

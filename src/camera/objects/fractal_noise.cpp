@@ -141,7 +141,7 @@ FractalNoise::FractalNoise(std::uint64_t seed, std::size_t octaves) {
 }
 
 Expr FractalNoise::emit(const ObjectPoint& p, Expr lacunarity, Expr hurst) const {
-    Graph& graph = p.x.graph();
+    expr::Graph& graph = p.x.graph();
     const Expr gain = pow(lacunarity, -hurst);
     Expr frequency = graph.constant(1.0);
     Expr amplitude = graph.constant(1.0);

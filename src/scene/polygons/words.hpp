@@ -5,6 +5,7 @@
 // Statements, words and numbers of text formats: OBJ, MTL, STL and PLY.
 
 #include <cstdint>
+#include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>

@@ -5,6 +5,7 @@
 // Radiance by direction as an equirectangular picture, and directions chosen in proportion to it.
 
 #include <cstddef>
+#include <stop_token>
 #include <vector>
 
 #include <Imath/ImathColor.h>
