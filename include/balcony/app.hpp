@@ -22,7 +22,6 @@
 
 #include "balcony/denoise.hpp"
 #include "balcony/finish.hpp"
-#include "balcony/inputs.hpp"
 #include "balcony/lang.hpp"
 #include "balcony/probe.hpp"
 #include "balcony/render.hpp"
@@ -65,12 +64,6 @@ struct LayerMiss {
     std::optional<render::Miss> miss{};
 };
 
-/// A layer whose rays start in closed objects, which it shows from inside.
-struct LayerStarts {
-    std::size_t layer = 0;  ///< Index into render::Summary::layers.
-    std::vector<StartInside> objects{};
-};
-
 /// The facts of a picture, or of a shard of it.
 struct Report {
     /// Warnings, and the errors that ended the render.
@@ -87,7 +80,6 @@ struct Report {
     std::size_t height = 0;
     render::Summary summary{};
     std::vector<LayerMiss> misses{};
-    std::vector<LayerStarts> starts{};
     std::optional<SampleRange> samples{};
     bool has_samples = true;          ///< Otherwise there was nothing to save.
     double exposure = 0.0;            ///< In stops.

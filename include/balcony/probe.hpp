@@ -31,9 +31,9 @@ namespace balcony::render {
 struct ProbeSettings {
     std::size_t width = 1280;  ///< Of the picture in pixels: 1 to 2^20.
     std::size_t height = 720;
-    /// Pixels between rays, at least 1; objects not seen at this step are searched in all pixels.
-    std::size_t step = 4;
-    double time = 0.0;  ///< The value of t in the camera's formulas.
+    std::size_t step = 4;  ///< Pixels between rays, at least 1.
+    bool searches = true;  ///< For objects that are not seen at this step, in all pixels.
+    double time = 0.0;     ///< The value of t in the camera's formulas.
 };
 
 /// The visibility of an object of the scene from a camera.

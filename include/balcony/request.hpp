@@ -65,8 +65,8 @@ struct LightRequest {
     float strength = 1.0F;  ///< The factor of its radiance.
     std::optional<double> sun_angle{};  ///< As LightSettings::sun_angle.
     std::vector<scene::Light> lamps{};  ///< They join the scene, in its axes.
-    bool lamp_at_eye =
-        false;  ///< A light at the eye in place of the lights of the scene and a sky.
+    /// A light at the eye in place of the lights of the scene and a sky.
+    bool lamp_at_eye = false;
 };
 
 /// Frames per second as a fraction, such as 30000/1001.
@@ -126,14 +126,12 @@ struct Placement {
     /// By the size of an object of the scene, if it is not empty. A camera that stands at a point
     /// looks at the object.
     std::string fit_to{};
-    /// Where a camera stands that the scene places: scene:NAME, and it looks as that camera of the
-    /// scene does, or X,Y,Z in the scene's axes; if empty, in the open. Other words are not valid.
-    std::string from{};
+    /// Where a camera stands that the scene places: at a point in the scene's axes, or where a
+    /// camera of the scene does, scene:NAME, and then it looks the same way; if empty, in the open.
+    std::optional<std::variant<Imath::V3d, std::string>> from{};
 
     /// Whether it was asked for in words.
-    [[nodiscard]] bool is_demanded() const {
-        return fit.value_or(!fit_to.empty() || !from.empty());
-    }
+    [[nodiscard]] bool is_demanded() const { return fit.value_or(!fit_to.empty() || from); }
     /// Whether the scene places a camera that is named as in Request::camera.
     [[nodiscard]] bool places(const std::string& camera) const;
 };

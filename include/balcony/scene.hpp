@@ -238,6 +238,8 @@ struct Light {
     /// Of a directional light: the angular diameter of its disc in radians, that of the sun where
     /// the file does not say. 0 casts sharp shadows.
     float angle = sun_angle;
+
+    bool operator==(const Light&) const = default;
 };
 
 enum class Projection : std::uint8_t { perspective, orthographic };

@@ -97,7 +97,7 @@ Diagnostics check_request(const Request& request) {
         (request.camera.empty() || is_of_scene(request.camera))) {
         found.push_back(error(Kind::usage,
                               fmt::format("{} needs a camera of a file, which it places",
-                                          !request.placement.from.empty()     ? "--from"
+                                          request.placement.from              ? "--from"
                                           : !request.placement.fit_to.empty() ? "--fit-to"
                                                                               : "--fit"),
                               "add --camera FILE or the name of a built-in camera"));

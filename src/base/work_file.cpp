@@ -38,7 +38,7 @@ bool is_locked_elsewhere(int descriptor) {
 Diagnostic not_regular(const fs::path& file) {
     return error(Kind::environment,
                  fmt::format("'{}' exists and is not a regular file", file.string()),
-                 "remove it, or choose another name for the output");
+                 "choose another name for the output");
 }
 
 Result<WorkFile> WorkFile::create(const fs::path& file) {

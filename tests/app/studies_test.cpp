@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "balcony/app.hpp"
 #include "balcony/studies.hpp"
 
 namespace balcony::app::studies_test {
@@ -112,6 +113,29 @@ TEST_F(StudiesTest, ADrawingIsWrittenOrRefusedWithItsKind) {
     EXPECT_FALSE(fs::exists(file("pinhole.txt")));
     EXPECT_EQ(kind_of_errors(draw({.camera = "no-such-camera", .output = file("x.svg")})),
               Kind::input);
+}
+
+// A session keeps the scene that it has read, but not the lamps of the last request.
+TEST_F(StudiesTest, LampsAreThoseOfTheRequest) {
+    Request request;
+    request.scene = wall();
+    request.camera = "pinhole";
+    request.set = {"yaw=90deg"};
+    request.placement.fit = false;
+    request.size = {.width = 8, .height = 4};
+    request.samples = 1;
+    request.exposure = 0.0;
+    Session session;
+    const auto brightness = [&](float intensity) {
+        scene::Light lamp;
+        lamp.intensity = scene::Color3f(intensity);
+        request.light.lamps = {lamp};
+        EXPECT_FALSE(has_errors(session.render(request).diagnostics));
+        return session.film()->pixel(4, 2).r;
+    };
+    const float dark = brightness(1.0F);
+    EXPECT_GT(dark, 0.0F);
+    EXPECT_EQ(brightness(4.0F), 4.0F * dark);
 }
 
 TEST_F(StudiesTest, NoCameraFileIsReplacedByItsDrawing) {

@@ -232,7 +232,7 @@ void FrameLoop::describe_first(const FrameUnit& unit, const render::Film& film,
     finish.output = animation_.pattern.file(unit.frame);
     Report found;
     describe(found, loaded_, picture_, {film.window, film.background.has_value()}, summary);
-    describe_sight(found, loaded_, picture_, {film.width, film.height});
+    describe_sight(found, loaded_, picture_, {film.width, film.height}, {});
     add(found.diagnostics, warn_of_lost_alpha(film, finish));
     for (Diagnostic& one : found.diagnostics) {
         one.message = fmt::format("frame {}: {}", unit.frame, one.message);

@@ -10,7 +10,6 @@
 
 #include "app/inputs/standpoint.hpp"
 #include "balcony/inputs.hpp"
-#include "balcony/options.hpp"
 #include "balcony/probe.hpp"
 
 namespace balcony::app {
@@ -58,14 +57,11 @@ Diagnostics check_placement(const Placement& placement, bool has_scene) {
         found.push_back(error(Kind::usage, "--fit places a camera in a scene, but there is none",
                               "add --scene FILE"));
     }
-    if (placement.fit == false && !(placement.fit_to.empty() && placement.from.empty())) {
-        found.push_back(error(
-            Kind::usage,
-            fmt::format("--no-fit contradicts {}", placement.from.empty() ? "--fit-to" : "--from"),
-            "leave out one of them"));
-    }
-    if (!placement.from.empty() && !is_of_scene(placement.from) && !point_of(placement.from)) {
-        found.push_back(error(Kind::internal, "Placement::from is out of range"));
+    if (placement.fit == false && (!placement.fit_to.empty() || placement.from)) {
+        found.push_back(
+            error(Kind::usage,
+                  fmt::format("--no-fit contradicts {}", placement.from ? "--from" : "--fit-to"),
+                  "leave out one of them"));
     }
     return found;
 }

@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "balcony/inputs.hpp"
-#include "balcony/options.hpp"
 
 namespace balcony::app {
 
@@ -39,15 +38,16 @@ Look look_of(const scene::Camera& camera, Axes axes) {
 Result<Standpoint> standpoint(const Placement& placement, const scene::Scene& scene,
                               const render::SceneExtent& extent) {
     Standpoint made{.position = extent.inside, .angle = 2.0 * pi};
-    if (is_of_scene(placement.from)) {
-        const Result<const scene::Camera*> camera = camera_of(scene, placement.from);
+    const auto* const place = placement.from ? &*placement.from : nullptr;
+    if (const auto* const name = std::get_if<std::string>(place)) {
+        const Result<const scene::Camera*> camera = camera_of(scene, *name);
         if (!camera) {
             return camera.diagnostics;
         }
         made.position = turned((*camera)->position, scene.axes, Axes::z_up);
         made.look = look_of(**camera, scene.axes);
-    } else if (!placement.from.empty()) {
-        made.position = turned(point_of(placement.from).value(), scene.axes, Axes::z_up);
+    } else if (const auto* const point = std::get_if<V3d>(place)) {
+        made.position = turned(*point, scene.axes, Axes::z_up);
     }
     if (!placement.fit_to.empty()) {
         const V3d way = 0.5 * (extent.bounds.min + extent.bounds.max) - made.position;

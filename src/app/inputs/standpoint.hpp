@@ -19,8 +19,8 @@ struct Standpoint {
     double angle = 0.0;  ///< How large what it looks at appears, in radians.
 };
 
-/// `extent` is that of the scene or of the object that the camera is fitted to. A place that cannot
-/// be read and an unknown camera of the scene are errors.
+/// `extent` is that of the scene or of the object that the camera is fitted to. An unknown camera
+/// of the scene is an error.
 [[nodiscard]] Result<Standpoint> standpoint(const Placement& placement, const scene::Scene& scene,
                                             const render::SceneExtent& extent);
 

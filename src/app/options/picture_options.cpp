@@ -5,6 +5,8 @@
 
 #include <limits>
 
+#include <fmt/format.h>
+
 #include "app/words.hpp"
 #include "balcony/inputs.hpp"
 
@@ -12,11 +14,20 @@ namespace balcony::app {
 
 namespace {
 
-Value<std::string> place() {
-    Value<std::string> made = text();
-    made.read = [](std::string_view word) -> std::optional<std::string> {
-        const std::string place(word);
-        return is_of_scene(place) || point_of(word) ? std::optional(place) : std::nullopt;
+using Place = std::variant<Imath::V3d, std::string>;
+
+Value<Place> place() {
+    Value<Place> made;
+    made.read = [](std::string_view word) -> std::optional<Place> {
+        const std::optional<Imath::V3d> point = point_of(word);
+        return point                            ? std::optional<Place>(*point)
+               : is_of_scene(std::string(word)) ? std::optional<Place>(std::string(word))
+                                                : std::nullopt;
+    };
+    made.write = [](const Place& place) {
+        const auto* const point = std::get_if<Imath::V3d>(&place);
+        return point != nullptr ? fmt::format("{},{},{}", point->x, point->y, point->z)
+                                : std::get<std::string>(place);
     };
     made.remedy = [](std::string_view) {
         return "write X,Y,Z, such as 1,1.6,-2, or scene:NAME of a camera of the scene";
@@ -45,7 +56,7 @@ Options<Placement> placement_options() {
                      .placeholder = "PLACE",
                      .meaning = "where a camera stands that is placed: X,Y,Z in the scene, or "
                                 "scene:NAME as that camera of the scene"},
-                    place(), &Placement::from)}};
+                    maybe(place()), &Placement::from)}};
 }
 
 Options<Request> scene_options() {

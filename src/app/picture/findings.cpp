@@ -18,9 +18,9 @@ namespace balcony::app {
 namespace {
 
 /// "camera 'pinhole'", or "layer 'inset'" of several.
-std::string name_of_layer(const render::Summary& summary, std::size_t index) {
+std::string name_of(const render::Summary::Layer& layer, const render::Summary& summary) {
     return fmt::format("{} '{}'", summary.layers.size() == 1 ? "camera" : "layer",
-                       printable(summary.layers[index].name));
+                       printable(layer.name));
 }
 
 /// Reports where a layer has no ray.
@@ -28,8 +28,7 @@ void describe_gaps(Report& report, const Shown& film, const render::Summary& sum
     const bool single = summary.layers.size() == 1;
     const std::string_view shown = film.has_background ? "show the background" : "are transparent";
     for (const render::Summary::Layer& layer : summary.layers) {
-        const std::string what =
-            name_of_layer(summary, static_cast<std::size_t>(&layer - summary.layers.data()));
+        const std::string what = name_of(layer, summary);
         if (layer.invalid_rays == 0) {
             continue;
         }
@@ -73,57 +72,31 @@ void describe_miss(Report& report, const Loaded& loaded, const camera::ShownCame
         {.width = size.first, .height = size.second, .time = loaded.settings.time});
     report.misses.push_back({index, miss.value});
     const MissText text = miss ? miss_text(*miss, shown.camera) : MissText{};
-    report.diagnostics.push_back(
-        warning(fmt::format("no ray of {} meets anything{}{}", name_of_layer(summary, index),
-                            text.reason.empty() ? "" : ": ", text.reason),
-                {}, text.remedy));
+    report.diagnostics.push_back(warning(
+        fmt::format("no ray of {} meets anything{}{}", name_of(summary.layers[index], summary),
+                    text.reason.empty() ? "" : ": ", text.reason),
+        {}, text.remedy));
 }
 
-// Which objects the rays of a camera start in, found by a coarse look. Nothing if one of them is a
-// room, in which others are seen.
-std::vector<StartInside> look_for_starts(const Loaded& loaded, const camera::ShownCamera& shown,
-                                         std::pair<std::size_t, std::size_t> size) {
-    constexpr double rays = 64.0 * 64.0;
-    const auto width = static_cast<double>(size.first);
-    const auto height = static_cast<double>(size.second);
-    const double scale = std::min(1.0, std::sqrt(rays / (width * height)));
-    const auto scaled = [scale](double side) {
-        return static_cast<std::size_t>(std::max(1.0, std::round(scale * side)));
-    };
-    const Result<render::Probe> probe = render::probe(*loaded.renderer, shown.camera,
-                                                      {.width = scaled(width),
-                                                       .height = scaled(height),
-                                                       .step = 1,
-                                                       .time = loaded.settings.time});
-    if (!probe) {
-        return {};
-    }
-    std::vector<StartInside> starts = starts_inside(*probe, *loaded.scene);
-    const auto seen = std::count_if(probe->objects.begin(), probe->objects.end(),
+// Warns of objects that the rays of a camera start in, found by a coarse look. An object around all
+// rays is a room if others are seen.
+Diagnostics warn_of_starts(const std::string& camera, const render::Probe& probe,
+                           const scene::Scene& scene) {
+    const auto seen = std::count_if(probe.objects.begin(), probe.objects.end(),
                                     [](const render::ObjectSight& sight) { return sight.seen; });
-    if (seen > 1) {
-        std::erase_if(starts, [](const StartInside& start) { return start.is_around_all; });
-    }
-    for (StartInside& start : starts) {
-        start.point /= scale;
-    }
-    return starts;
-}
-
-void describe_starts(Report& report, const std::vector<StartInside>& starts, std::size_t index) {
-    if (starts.empty()) {
-        return;
-    }
     std::vector<std::string> texts;
-    for (const StartInside& start : starts) {
-        texts.push_back(
-            fmt::format("{:.3g} % in '{}'", 100.0 * start.share, printable(start.object)));
+    for (const StartInside& start : starts_inside(probe, scene)) {
+        if (!start.is_around_all || seen < 2) {
+            texts.push_back(
+                fmt::format("{:.3g} % in '{}'", 100.0 * start.share, printable(start.object)));
+        }
     }
-    report.diagnostics.push_back(
-        warning(fmt::format("rays of {} start in closed objects and show them from inside: {}",
-                            name_of_layer(report.summary, index), fmt::join(texts, ", ")),
-                {}, "move the camera with --set, or make its eye object smaller"));
-    report.starts.push_back({index, starts});
+    return texts.empty()
+               ? Diagnostics{}
+               : Diagnostics{warning(
+                     fmt::format("rays of {} start in closed objects and show them from inside: {}",
+                                 camera, fmt::join(texts, ", ")),
+                     {}, "move the camera with --set, or make its eye object smaller")};
 }
 
 }  // namespace
@@ -148,9 +121,17 @@ void describe(Report& report, const Loaded& loaded, const camera::Picture& pictu
 }
 
 void describe_sight(Report& report, const Loaded& loaded, const camera::Picture& picture,
-                    std::pair<std::size_t, std::size_t> size) {
+                    std::pair<std::size_t, std::size_t> size, const std::stop_token& stop) {
+    constexpr double rays = 64.0 * 64.0;
+    const double step = std::sqrt(static_cast<double>(size.first * size.second) / rays);
+    const render::ProbeSettings settings{.width = size.first,
+                                         .height = size.second,
+                                         .step = static_cast<std::size_t>(std::max(1.0, step)),
+                                         .searches = false,
+                                         .time = loaded.settings.time};
     for (const camera::ShownCamera& shown : shown_cameras(picture)) {
-        const std::vector<StartInside> starts = look_for_starts(loaded, shown, size);
+        const Result<render::Probe> probe =
+            render::probe(*loaded.renderer, shown.camera, settings, {}, stop);
         for (const camera::ShownCamera::LayerUse& use : shown.uses) {
             const render::Summary::Layer& layer = report.summary.layers[use.index];
             if (layer.camera_rays == layer.invalid_rays) {
@@ -159,7 +140,10 @@ void describe_sight(Report& report, const Loaded& loaded, const camera::Picture&
             if (layer.hits == 0) {
                 describe_miss(report, loaded, shown, use.index, size);
             }
-            describe_starts(report, starts, use.index);
+            if (probe) {
+                add(report.diagnostics,
+                    warn_of_starts(name_of(layer, report.summary), *probe, *loaded.scene));
+            }
         }
     }
 }

@@ -21,7 +21,7 @@ void describe(Report& report, const Loaded& loaded, const camera::Picture& pictu
 /// Warns of layers whose rays meet nothing, with the reason, or start in closed objects. The
 /// picture has this size in pixels.
 void describe_sight(Report& report, const Loaded& loaded, const camera::Picture& picture,
-                    std::pair<std::size_t, std::size_t> size);
+                    std::pair<std::size_t, std::size_t> size, const std::stop_token& stop);
 
 /// The numbers of samples of adaptive sampling; nothing without it.
 [[nodiscard]] std::optional<SampleRange> sample_range(const render::Film& film);

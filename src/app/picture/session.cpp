@@ -61,7 +61,7 @@ public:
             report_.samples = sample_range(film_);
             report_.has_samples = has_samples(film_);
             if (!summary->interrupted) {
-                describe_sight(report_, loaded_, picture, {film_.width, film_.height});
+                describe_sight(report_, loaded_, picture, {film_.width, film_.height}, stop);
             }
         }
         write_file();
@@ -177,6 +177,7 @@ std::shared_ptr<const render::Film> Session::film() const { return state_->film;
 // The scene of the last request may serve this one.
 void Session::State::prepare(const Request& request) {
     const bool same = last && last->scene == request.scene && last->added == request.added &&
+                      last->light.lamps == request.light.lamps &&
                       last->settings.time == request.settings.time &&
                       last->texture_memory == request.texture_memory;
     if (!same) {

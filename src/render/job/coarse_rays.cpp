@@ -10,16 +10,20 @@
 
 namespace balcony::render {
 
-rays::Tile coarse_grid(const Film& film, double time) {
-    constexpr double points = 2048.0;
-    const auto width = static_cast<double>(film.width);
-    const auto height = static_cast<double>(film.height);
+rays::Tile coarse_grid(std::size_t pixels_wide, std::size_t pixels_high, double points,
+                       double time) {
+    const auto width = static_cast<double>(pixels_wide);
+    const auto height = static_cast<double>(pixels_high);
     const double step = std::max(1.0, std::sqrt(width * height / points));
     const auto count = [step](double extent) {
         return static_cast<std::size_t>(std::max(1.0, std::round(extent / step)));
     };
     return {0.5 * step,         0.5 * step,         step, count(width), count(height), time,
             {0.5, width - 0.5}, {0.5, height - 0.5}};
+}
+
+rays::Tile coarse_grid(const Film& film, double time) {
+    return coarse_grid(film.width, film.height, 2048.0, time);
 }
 
 void for_each_coarse_ray(const TracedScene& traced, PictureRays& all, const Film& film, double time,

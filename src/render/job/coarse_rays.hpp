@@ -11,8 +11,11 @@
 
 namespace balcony::render {
 
-/// About 2048 points that are evenly distributed over the whole picture, whatever the film's
-/// window.
+/// About so many points that are evenly distributed over a picture of this size in pixels.
+[[nodiscard]] rays::Tile coarse_grid(std::size_t width, std::size_t height, double points,
+                                     double time);
+
+/// About 2048 points of the whole picture, whatever the film's window.
 [[nodiscard]] rays::Tile coarse_grid(const Film& film, double time);
 
 /// Visits the rays of each camera layer at these points. They have footprints if the scene has

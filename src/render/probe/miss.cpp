@@ -8,6 +8,7 @@
 
 #include "balcony/probe.hpp"
 #include "render/job/camera_rays.hpp"
+#include "render/job/coarse_rays.hpp"
 #include "render/probe/probed_scene.hpp"
 
 namespace balcony::render {
@@ -24,24 +25,11 @@ struct Line {
 
 // Rays on a coarse grid of the picture.
 std::vector<Line> lines_of(const rays::RayProgram& program, const ProbeSettings& settings) {
-    constexpr double most = 4096.0;
-    const auto width = static_cast<double>(settings.width);
-    const auto height = static_cast<double>(settings.height);
-    const double step = std::max(1.0, std::sqrt(width * height / most));
-    const auto count = [step](double extent) {
-        return static_cast<std::size_t>(std::max(1.0, std::round(extent / step)));
-    };
+    constexpr double points = 4096.0;
     rays::Scratch scratch;
     rays::RayBatch batch;
-    program.run({0.5 * step,
-                 0.5 * step,
-                 step,
-                 count(width),
-                 count(height),
-                 settings.time,
-                 {0.5, width - 0.5},
-                 {0.5, height - 0.5}},
-                scratch, batch);
+    program.run(coarse_grid(settings.width, settings.height, points, settings.time), scratch,
+                batch);
     std::vector<Line> lines;
     for (std::size_t i = 0; i < batch.size(); ++i) {
         if (traceable(batch, i)) {

@@ -62,7 +62,7 @@ public:
             look(tile, true);
             look_round(tile);
         });
-        if (settings_.step > 1) {
+        if (settings_.searches && settings_.step > 1) {
             for_each_tile(1, [this](const RayTile& tile) {
                 if (misses_something()) {
                     look(tile, false);
