@@ -57,6 +57,7 @@ std::vector<Film> broken_films() {
 TEST(Preconditions, FilmsThatDoNotHoldTogetherAreErrors) {
     const Renderer renderer = renderer_of(one_wall());
     const fs::path file = fs::path(testing::TempDir()) / "balcony_broken_film.exr";
+    fs::remove(file);
     const std::vector<Film> films = broken_films();
     for (const Film& film : films) {
         SCOPED_TRACE(&film - films.data());
