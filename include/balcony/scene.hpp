@@ -303,6 +303,10 @@ struct Scene {
                                  std::span<const std::uint8_t> bytes, const PartDone& progress = {},
                                  const std::stop_token& stop = {});
 
+/// An error of Kind::internal for a scene that a program has made and that is not consistent:
+/// indices are in range, and what is said to be empty or one per vertex is. Renderers check it.
+[[nodiscard]] Diagnostics check(const Scene& scene);
+
 /// Adds all that another scene has, with its motion, turned to the axes of the first. Objects keep
 /// their names, which may then be the same.
 void add_scene(Scene& scene, Scene added);
@@ -314,8 +318,8 @@ void add_scene(Scene& scene, Scene added);
 /// with a node of the motion keeps moving; lights, cameras and meshes that change their shape are
 /// written as they stand.
 ///
-/// The scene must be consistent: indices in range, normals, texture coordinates and colours empty
-/// or one per vertex, textures embedded as PNG or JPEG. The same scene always gives the same bytes.
+/// The scene is consistent, as check() says, and its textures are embedded as PNG or JPEG. The same
+/// scene always gives the same bytes.
 [[nodiscard]] std::vector<std::uint8_t> to_glb(const Scene& scene);
 
 }  // namespace balcony::scene

@@ -92,11 +92,6 @@ std::string in_quotes(std::string_view name) {
     return "'" + shown + "'";
 }
 
-std::string counted(std::size_t count, std::string_view noun) {
-    const bool sibilant = noun.ends_with('x') || noun.ends_with("sh");
-    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : sibilant ? "es" : "s");
-}
-
 std::optional<std::string> Import::near_name(const fs::path& missing) const {
     std::error_code code;
     if (fs::exists(fs::symlink_status(missing, code))) {

@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "balcony/names.hpp"
 #include "balcony/progress.hpp"
 #include "balcony/scene.hpp"
 #include "scene/part_error.hpp"
@@ -107,7 +108,4 @@ void read_stl(Import& import);
 
 /// A name in quotes for a message: without control characters, shortened if very long.
 [[nodiscard]] std::string in_quotes(std::string_view name);
-
-/// "1 triangle", "12 triangles"
-[[nodiscard]] std::string counted(std::size_t count, std::string_view noun);
 }  // namespace balcony::scene

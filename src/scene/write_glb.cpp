@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "balcony/motion.hpp"
+#include "base/precondition.hpp"
 #include "scene/axes.hpp"
 #include "scene/gltf/write_material.hpp"
 
@@ -117,7 +118,6 @@ private:
 
     void add_textures() {
         for (const scene::Texture& texture : scene_.textures) {
-            assert(!texture.bytes->empty());
             const std::size_t view = add_view(texture.bytes->data(), texture.bytes->size(), 0);
             const std::size_t image = append("images", {{"name", texture.name},
                                                         {"mimeType", mime_type(texture.bytes)},
@@ -162,25 +162,21 @@ private:
         position_accessor["max"] = {box.max.x, box.max.y, box.max.z};
         json attributes = {{"POSITION", append("accessors", std::move(position_accessor))}};
         if (!mesh.normals.empty()) {
-            assert(mesh.normals.size() == mesh.positions.size());
             attributes["NORMAL"] =
                 append("accessors", accessor(turned_directions(mesh.normals), "VEC3"));
         }
         if (!mesh.tangents.empty()) {
-            assert(mesh.tangents.size() == mesh.positions.size());
             attributes["TANGENT"] =
                 append("accessors", accessor(turned_tangents(mesh.tangents), "VEC4"));
         }
         for (std::size_t set = 0; set < mesh.texture_coordinates.size(); ++set) {
             const std::vector<V2f>& coordinates = mesh.texture_coordinates[set];
             if (!coordinates.empty()) {
-                assert(coordinates.size() == mesh.positions.size());
                 attributes["TEXCOORD_" + std::to_string(set)] =
                     append("accessors", accessor(coordinates, "VEC2"));
             }
         }
         if (!mesh.colors.empty()) {
-            assert(mesh.colors.size() == mesh.positions.size());
             attributes["COLOR_0"] = append("accessors", accessor(mesh.colors, "VEC4"));
         }
         const std::size_t bytes = mesh.triangles.size() * sizeof(mesh.triangles[0]);
@@ -397,6 +393,12 @@ private:
 
 }  // namespace
 
-std::vector<std::uint8_t> to_glb(const scene::Scene& scene) { return Writer(scene).write(); }
+std::vector<std::uint8_t> to_glb(const scene::Scene& scene) {
+    precondition(check(scene).empty(), "the scene is consistent");
+    precondition(std::all_of(scene.textures.begin(), scene.textures.end(),
+                             [](const Texture& texture) { return !texture.bytes->empty(); }),
+                 "the textures of a GLB file are embedded");
+    return Writer(scene).write();
+}
 
 }  // namespace balcony::scene

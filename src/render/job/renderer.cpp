@@ -39,6 +39,9 @@ Result<Renderer> Renderer::make(std::shared_ptr<const scene::Scene> scene,
     if (!scene) {
         return error(Kind::internal, "a renderer needs a scene");
     }
+    if (Diagnostics found = scene::check(*scene); !found.empty()) {
+        return found;
+    }
     if (settings.texture_memory < min_texture_memory) {
         return error(fmt::format("{:.3g} MiB are too little memory for textures",
                                  static_cast<double>(settings.texture_memory) / 0x1p20),
