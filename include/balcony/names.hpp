@@ -21,6 +21,9 @@ namespace balcony {
 /// 'a', 'b' and 'c'.
 [[nodiscard]] std::string all_of(const std::vector<std::string>& names);
 
+/// "1 mesh", "3 meshes"; the noun is regular.
+[[nodiscard]] std::string counted(std::size_t count, std::string_view noun);
+
 /// The remedy for an unknown name: the nearest one that is known, or `otherwise`.
 [[nodiscard]] std::string did_you_mean(std::string_view name, const std::vector<std::string>& known,
                                        std::string otherwise);

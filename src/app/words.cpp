@@ -6,13 +6,7 @@
 #include <charconv>
 #include <system_error>
 
-#include <fmt/format.h>
-
 namespace balcony::app {
-
-std::string counted(std::size_t count, std::string_view one, std::string_view many) {
-    return fmt::format("{} {}", count, count == 1 ? one : many);
-}
 
 std::optional<std::size_t> whole_number_of(std::string_view text) {
     std::size_t number = 0;

@@ -12,9 +12,6 @@
 
 namespace balcony::app {
 
-/// "1 frame", "3 frames"
-[[nodiscard]] std::string counted(std::size_t count, std::string_view one, std::string_view many);
-
 /// The whole text as a number without a sign, or nothing.
 [[nodiscard]] std::optional<std::size_t> whole_number_of(std::string_view text);
 

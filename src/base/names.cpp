@@ -5,6 +5,8 @@
 
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "balcony/base.hpp"
 
 namespace balcony {
@@ -24,6 +26,11 @@ std::string listed(const std::vector<std::string>& names, std::string_view last_
 
 std::string one_of(const std::vector<std::string>& names) { return listed(names, " or "); }
 std::string all_of(const std::vector<std::string>& names) { return listed(names, " and "); }
+
+std::string counted(std::size_t count, std::string_view noun) {
+    const bool sibilant = noun.ends_with('s') || noun.ends_with('x') || noun.ends_with("sh");
+    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : sibilant ? "es" : "s");
+}
 
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& known,
                          std::string otherwise) {

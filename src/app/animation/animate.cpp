@@ -19,6 +19,7 @@
 #include "balcony/animation.hpp"
 #include "balcony/inputs.hpp"
 #include "balcony/motion.hpp"
+#include "balcony/names.hpp"
 
 namespace balcony::app {
 
@@ -57,12 +58,11 @@ Diagnostics check_shards(const AnimationRequest& request, const FrameNumbers& fr
         return {};
     }
     const std::size_t shards = request.shard->count;
-    const bool parts = request.parts_per_frame > 1;
-    return {error(Kind::usage,
-                  fmt::format("there are {} shards, but only {}", shards,
-                              counted(frames.size() * request.parts_per_frame,
-                                      parts ? "part of a frame" : "frame",
-                                      parts ? "parts of frames" : "frames")),
+    const std::string units =
+        request.parts_per_frame == 1
+            ? counted(frames.size(), "frame")
+            : counted(frames.size() * request.parts_per_frame, "part") + " of frames";
+    return {error(Kind::usage, fmt::format("there are {} shards, but only {}", shards, units),
                   fmt::format("use at most as many shards as frames, or divide each frame: "
                               "--parts-per-frame {}",
                               (shards + frames.size() - 1) / frames.size()))};

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "app/words.hpp"
+#include "balcony/names.hpp"
 
 namespace balcony::app {
 
@@ -22,7 +23,7 @@ bool is_outside(const render::Miss& miss) {
 }
 
 MissText text_of(const render::Miss::Attempt& attempt, const camera::Camera& camera) {
-    const std::string objects = counted(attempt.objects, "object", "objects");
+    const std::string objects = counted(attempt.objects, "object");
     switch (attempt.change) {
         case render::RayChange::reversed:
             return {fmt::format("in the opposite direction, they would meet {}", objects),

@@ -12,6 +12,7 @@
 
 #include "app/words.hpp"
 #include "balcony/inputs.hpp"
+#include "balcony/names.hpp"
 
 namespace balcony::app {
 
@@ -53,13 +54,13 @@ void describe_motion(Report& report, const render::Summary& summary) {
         report.diagnostics.push_back(warning(fmt::format(
             "the motion of {} is 0 because neither the previous nor the next frame shows the "
             "surface there",
-            counted(summary.unknown_motion, "pixel", "pixels"))));
+            counted(summary.unknown_motion, "pixel"))));
     }
     if (summary.ambiguous_motion > 0) {
         report.diagnostics.push_back(warning(fmt::format(
             "the previous or next frame shows the surface of {} at several places; the layer "
             "motion is that to the nearest",
-            counted(summary.ambiguous_motion, "pixel", "pixels"))));
+            counted(summary.ambiguous_motion, "pixel"))));
     }
 }
 

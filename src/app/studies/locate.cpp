@@ -10,6 +10,7 @@
 #include "app/inputs/placement.hpp"
 #include "app/request_check.hpp"
 #include "app/words.hpp"
+#include "balcony/names.hpp"
 #include "balcony/render.hpp"
 #include "balcony/studies.hpp"
 
@@ -128,7 +129,7 @@ Result<Located> locate(const LocateRequest& request, const std::stop_token& stop
         diagnostics.push_back(
             warning(fmt::format("so many parts of the picture may see {} that not all "
                                 "of these parts were searched",
-                                counted(in_part.size(), "point", "points"))));
+                                counted(in_part.size(), "point"))));
     }
     if (found.sightings.empty() && !found.points.empty()) {
         add(diagnostics,

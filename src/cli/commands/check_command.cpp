@@ -69,9 +69,9 @@ app::Option<CheckRequest> map_option() {
 }
 
 std::string text_of(const app::FileCheck& file) {
-    return fmt::format(
-        "{}: {}{}, no errors\n", printable(file.file), counted(file.cameras, "camera", "cameras"),
-        file.pictures > 0 ? ", " + counted(file.pictures, "picture", "pictures") : "");
+    return fmt::format("{}: {}{}, no errors\n", printable(file.file),
+                       counted(file.cameras, "camera"),
+                       file.pictures > 0 ? ", " + counted(file.pictures, "picture") : "");
 }
 
 nlohmann::json json_of(const app::FileCheck& file) {
@@ -91,7 +91,7 @@ Diagnostics check_strictly(const CameraCheck& check) {
         return {};
     }
     return {error(fmt::format("camera '{}' has {}, but --strict allows none", check.title(),
-                              counted(check.defect_count(), "defect", "defects")))};
+                              counted(check.defect_count(), "defect")))};
 }
 
 // Text is printed at once, JSON at the end.

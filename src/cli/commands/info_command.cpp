@@ -13,6 +13,7 @@
 
 #include "balcony/inputs.hpp"
 #include "balcony/motion.hpp"
+#include "balcony/names.hpp"
 #include "balcony/render.hpp"
 #include "balcony/scene.hpp"
 #include "cli/commands/command.hpp"
@@ -147,12 +148,12 @@ std::string scene_text(const scene::Scene& scene, const std::string& light, bool
     line("bounds",
          fmt::format("({:.4g}, {:.4g}, {:.4g}) .. ({:.4g}, {:.4g}, {:.4g})", bounds.min.x,
                      bounds.min.y, bounds.min.z, bounds.max.x, bounds.max.y, bounds.max.z));
-    line("triangles",
-         fmt::format("{} in {}, {}", count_text(static_cast<double>(scene.triangle_count())),
-                     counted(scene.objects.size(), "object", "objects"),
-                     counted(scene.meshes.size(), "mesh", "meshes")));
-    line("materials", fmt::format("{}, {}", scene.materials.size(),
-                                  counted(scene.textures.size(), "texture", "textures")));
+    line(
+        "triangles",
+        fmt::format("{} in {}, {}", count_text(static_cast<double>(scene.triangle_count())),
+                    counted(scene.objects.size(), "object"), counted(scene.meshes.size(), "mesh")));
+    line("materials",
+         fmt::format("{}, {}", scene.materials.size(), counted(scene.textures.size(), "texture")));
     line("lights", lights_text(scene, light));
     line("cameras", std::to_string(scene.cameras.size()));
     for (const scene::Camera& camera : scene.cameras) {

@@ -14,6 +14,7 @@
 #include "balcony/app.hpp"
 #include "balcony/images.hpp"
 #include "balcony/inputs.hpp"
+#include "balcony/names.hpp"
 #include "balcony/povray.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/options/command_rows.hpp"
@@ -95,14 +96,13 @@ void describe_pov(Answer& answer, const PovRequest& request, const camera::Pictu
                     {"camera_seconds", summary.camera_seconds},
                     {"peak_memory", peak_memory()},
                     {"interrupted", summary.interrupted}};
-    answer.text =
-        fmt::format("{}{}: {} x {} pixels through '{}', {}, {} rays; POV-Ray {} ran {} for {}\n",
-                    summary.interrupted ? "interrupted; the partial picture is " : "",
-                    printable(name_of_pov(request.finish.output)), film.width, film.height,
-                    picture.name(), counted(film.passes.front(), "pass", "passes"),
-                    count_text(static_cast<double>(summary.camera_rays)), program.version,
-                    summary.runs == 1 ? "once" : fmt::format("{} times", summary.runs),
-                    duration_text(summary.povray_seconds));
+    answer.text = fmt::format(
+        "{}{}: {} x {} pixels through '{}', {}, {} rays; POV-Ray {} ran {} for {}\n",
+        summary.interrupted ? "interrupted; the partial picture is " : "",
+        printable(name_of_pov(request.finish.output)), film.width, film.height, picture.name(),
+        counted(film.passes.front(), "pass"), count_text(static_cast<double>(summary.camera_rays)),
+        program.version, summary.runs == 1 ? "once" : fmt::format("{} times", summary.runs),
+        duration_text(summary.povray_seconds));
 }
 
 void render_pov_picture(const PovOptions& options, Answer& answer) {

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "balcony/app.hpp"
+#include "balcony/names.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/options/command_rows.hpp"
 #include "cli/options/picture_output.hpp"
@@ -44,8 +45,7 @@ ExitCode watch(const app::Request& request, const Manner& manner) {
         },
         [&](std::size_t files) {
             if (!manner.quiet) {
-                print_aside(
-                    fmt::format("watching {}; Ctrl-C ends\n", counted(files, "file", "files")));
+                print_aside(fmt::format("watching {}; Ctrl-C ends\n", counted(files, "file")));
             }
         },
         observer.token());

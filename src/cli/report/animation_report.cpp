@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "balcony/names.hpp"
 #include "cli/report/render_report.hpp"
 
 namespace balcony::cli {
@@ -41,8 +42,7 @@ std::string text_of(const app::AnimationReport& report, const app::AnimationRequ
     const std::string output = request.picture.output.string();
     const bool in_parts = request.parts_per_frame > 1;
     const std::string done = fmt::format(
-        "{} rendered in {}{}",
-        counted(report.rendered.size(), in_parts ? "part" : "frame", in_parts ? "parts" : "frames"),
+        "{} rendered in {}{}", counted(report.rendered.size(), in_parts ? "part" : "frame"),
         duration_text(report.seconds),
         report.skipped > 0 ? fmt::format(", {} finished before", report.skipped) : "");
     if (report.interrupted && !report.is_film_missing) {

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "balcony/names.hpp"
 #include "cli/report/report.hpp"
 
 namespace balcony::cli {
@@ -93,11 +94,10 @@ std::string scene_text(const CameraCheck::InScene& found) {
         text += finding_text("meets nothing", "no ray meets anything: " + found.miss->reason, "",
                              found.miss->remedy);
     } else if (!found.never_seen.empty()) {
-        text += finding_text(
-            "never seen",
-            fmt::format("{}: {}", counted(found.never_seen.size(), "object", "objects"),
-                        list_text(found.never_seen)),
-            "", "");
+        text += finding_text("never seen",
+                             fmt::format("{}: {}", counted(found.never_seen.size(), "object"),
+                                         list_text(found.never_seen)),
+                             "", "");
     }
     for (const app::StartInside& start : found.starts_inside) {
         text += finding_text("starts inside",

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "balcony/names.hpp"
 #include "cli/report/peak_memory.hpp"
 
 namespace balcony::cli {
@@ -167,13 +168,12 @@ std::string text_of(const app::Report& report, const app::Request& request) {
     if (!report.has_samples) {
         return "interrupted before there was anything to save\n";
     }
-    std::string text =
-        fmt::format("{}{}: {} x {} pixels through '{}', {}, {} rays in {}, {:.0f} MiB\n",
-                    report.interrupted ? "interrupted; the partial picture is " : "",
-                    printable(name_of_output(request.output)), report.width, report.height,
-                    report.camera, counted(summary.passes, "pass", "passes"),
-                    count_text(static_cast<double>(summary.camera_rays)),
-                    duration_text(summary.seconds), static_cast<double>(peak_memory()) / 0x1p20);
+    std::string text = fmt::format(
+        "{}{}: {} x {} pixels through '{}', {}, {} rays in {}, {:.0f} MiB\n",
+        report.interrupted ? "interrupted; the partial picture is " : "",
+        printable(name_of_output(request.output)), report.width, report.height, report.camera,
+        counted(summary.passes, "pass"), count_text(static_cast<double>(summary.camera_rays)),
+        duration_text(summary.seconds), static_cast<double>(peak_memory()) / 0x1p20);
     if (!summary.light.empty()) {
         text += fmt::format("  lit by {}\n", printable(summary.light));
     }

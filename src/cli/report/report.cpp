@@ -68,10 +68,6 @@ void print_aside(std::string_view text) { write_aside(printable(text, LineFeeds:
 
 void show_status(std::string_view text) { write_aside("\r" + printable(text) + "\033[K"); }
 
-std::string counted(std::size_t count, std::string_view one, std::string_view many) {
-    return fmt::format("{} {}", count, count == 1 ? one : many);
-}
-
 // Beyond these limits, rounding would show 1000 of a unit.
 std::string count_text(double count) {
     if (count < 1e4) {

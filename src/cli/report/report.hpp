@@ -41,9 +41,6 @@ void print_aside(std::string_view text);
 /// Replaces the current line of the terminal by a text; an empty text clears the line.
 void show_status(std::string_view text);
 
-/// "1 mesh", "3 meshes".
-[[nodiscard]] std::string counted(std::size_t count, std::string_view one, std::string_view many);
-
 /// A count or a duration as readable text: "14.7 M", "3.2 s", "1:04 h".
 [[nodiscard]] std::string count_text(double count);
 [[nodiscard]] std::string duration_text(double seconds);

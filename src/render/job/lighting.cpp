@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "balcony/median.hpp"
+#include "balcony/names.hpp"
 #include "images/luminance.hpp"
 #include "render/job/coarse_rays.hpp"
 #include "shading/geometry/frame.hpp"
@@ -52,14 +53,13 @@ bool sees_sky(const TracedScene& traced, PictureRays& all, const Film& film, dou
 
 std::string description_of(const LightSet& lights, const scene::Scene& scene) {
     std::string text;
-    const auto add = [&text](std::size_t count, std::string_view one, std::string_view many) {
+    const auto add = [&text](std::size_t count, std::string_view noun) {
         if (count > 0) {
-            text +=
-                fmt::format("{}{} {}", text.empty() ? "" : ", ", count, count == 1 ? one : many);
+            text += (text.empty() ? "" : ", ") + counted(count, noun);
         }
     };
-    add(scene.lights.size(), "lamp", "lamps");
-    add(lights.emissive_triangles(), "emitting triangle", "emitting triangles");
+    add(scene.lights.size(), "lamp");
+    add(lights.emissive_triangles(), "emitting triangle");
     return text;
 }
 
