@@ -11,6 +11,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -111,8 +112,9 @@ public:
 
     /// Checks that the parts fit together: all are there, the rule and the object transformers get
     /// what they need, and the formulas have at most max_operations_of_camera operations. A
-    /// direction object that the rule has no use for is left out with a warning.
-    [[nodiscard]] static Result<Camera> make(Parts parts);
+    /// direction object that the rule has no use for is left out with a warning. A stop is an
+    /// error of Kind::interrupted.
+    [[nodiscard]] static Result<Camera> make(Parts parts, const std::stop_token& stop = {});
     /// The same camera as a view of a stereo pair. It is an error if it is one already.
     [[nodiscard]] Result<Camera> with_stereo(StereoViewPointer view) const;
 
@@ -137,7 +139,7 @@ public:
 private:
     /// The parts and the ray that they make in a picture of any size.
     struct Emitted {
-        explicit Emitted(Parts made_of);
+        Emitted(Parts made_of, const std::stop_token& stop, std::size_t most_operations);
 
         Parts parts;
         Graph graph;

@@ -27,9 +27,11 @@
 #include <optional>
 #include <span>
 #include <stdexcept>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "balcony/base.hpp"
@@ -194,19 +196,29 @@ struct Call {
     void evaluate(std::size_t count, const double* const* at, double* const* results) const;
 };
 
-/// Thrown by functions that add a node to a graph with max_nodes: the only exception of this layer.
-/// Functions of higher layers that build graphs catch it and return a Diagnostic.
+/// Thrown by functions that add a node to a full graph. This exception and the next one are the
+/// only ones of this layer. Functions of higher layers that build graphs catch them and return a
+/// Diagnostic.
 class GraphTooLarge : public std::length_error {
 public:
     GraphTooLarge();
 };
 
+/// Thrown by functions that add a node to a graph after a stop.
+class GraphStopped : public std::runtime_error {
+public:
+    GraphStopped();
+};
+
 inline constexpr std::size_t max_nodes = std::size_t{1} << 22U;
 
-/// Functions that add nodes may throw GraphTooLarge; what is in the graph stays valid.
+/// Functions that add nodes may throw GraphTooLarge, and GraphStopped if there is a token; what is
+/// in the graph stays valid.
 class Graph {
 public:
-    Graph() = default;
+    /// A graph of at most so many nodes.
+    explicit Graph(std::stop_token stop = {}, std::size_t most = max_nodes)
+        : stop_(std::move(stop)), most_(most) {}
     Graph(const Graph&) = delete;
     Graph& operator=(const Graph&) = delete;
 
@@ -238,6 +250,8 @@ public:
                               std::span<const Expr> arguments);
 
     [[nodiscard]] std::size_t size() const { return nodes_.size(); }
+    /// Work on the graph that adds no nodes ends with the same stop.
+    [[nodiscard]] const std::stop_token& stop() const { return stop_; }
     [[nodiscard]] const Node& operator[](NodeId id) const { return nodes_[id.value()]; }
     [[nodiscard]] Dependence dependence(NodeId id) const { return dependences_[id.value()]; }
     /// The names of the inputs by their numbers, beginning with "x", "y" and "t".
@@ -265,6 +279,8 @@ private:
         std::size_t operator()(const Node& node) const;
     };
 
+    std::stop_token stop_;
+    std::size_t most_;
     std::vector<Node> nodes_;
     std::vector<Dependence> dependences_;  ///< By node.
     std::unordered_map<Node, NodeId, Hash> known_;

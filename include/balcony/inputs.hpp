@@ -46,14 +46,16 @@ struct CameraArgument {
 /// Makes the selected picture, with values of its parameters, each NAME=VALUE; a camera becomes a
 /// picture with one layer.
 [[nodiscard]] Result<camera::Picture> load_picture(const std::string& picture,
-                                                   const std::vector<std::string>& set);
+                                                   const std::vector<std::string>& set,
+                                                   const std::stop_token& stop = {});
 [[nodiscard]] Result<camera::Picture> load_picture(const std::string& picture,
                                                    const std::vector<std::string>& set,
                                                    lang::Workspace& workspace);
 /// The same with a scene, whose cameras can be selected.
 [[nodiscard]] Result<camera::Picture> load_picture(const std::string& picture,
                                                    const std::vector<std::string>& set,
-                                                   const scene::Scene& scene);
+                                                   const scene::Scene& scene,
+                                                   const std::stop_token& stop = {});
 
 /// The picture of a camera of a scene with these axes.
 [[nodiscard]] Result<camera::Picture> picture_of(const scene::Camera& camera, Axes axes);
@@ -111,7 +113,8 @@ struct PointSearch {
 
 /// Why none of the points is in the picture, if that is known: they would be in it with the other
 /// axes, or they all lie behind the camera.
-[[nodiscard]] Diagnostics explain_unseen(const PointSearch& search);
+[[nodiscard]] Diagnostics explain_unseen(const PointSearch& search,
+                                         const std::stop_token& stop = {});
 
 // ------------------------------------------------------------------------------------- outputs
 

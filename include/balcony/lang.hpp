@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -211,6 +212,9 @@ public:
     void fit_to(std::optional<SceneMeasures> scene);
     /// The parameters with `fit` statements in the last make_picture(), with the values they have.
     [[nodiscard]] const std::vector<FittedParameter>& fitted() const;
+
+    /// A stop ends the making of a camera, which is an error of Kind::interrupted.
+    void stop_with(std::stop_token stop);
 
     /// The files on the disk that were read or looked for since the last reload(): camera files,
     /// tables, images and meshes. To notice a change, watch these.

@@ -80,7 +80,8 @@ struct Miss {
 
 /// Tries changes of the rays of a camera, on a coarse grid of its picture.
 [[nodiscard]] Result<Miss> explain_miss(const Renderer& renderer, const camera::Camera& camera,
-                                        const ProbeSettings& settings);
+                                        const ProbeSettings& settings,
+                                        const std::stop_token& stop = {});
 
 /// A perspective camera for a scene that has none. It stands in front of the scene and slightly
 /// above it, as near as shows all but its surroundings: a ground or a sky much larger than all

@@ -99,11 +99,11 @@ class Program {
 public:
     /// Compiles the roots, which must be in one graph; they are simplified first. Fails if a root
     /// depends on an input that is not declared or on a free variable, if an input is declared
-    /// twice or has the name x, y or t, and if simplification makes the graph too large.
+    /// twice or has the name x, y or t, and if simplification makes the graph too large. A stop of
+    /// the graph is an error of Kind::interrupted.
     [[nodiscard]] static Result<Program> make(std::span<const expr::Expr> roots,
                                               const Interface& interface = {});
-    /// The same for roots that depend on x, y and t alone, which is asserted; throws
-    /// expr::GraphTooLarge.
+    /// The same for roots that depend on x, y and t alone; throws expr::GraphTooLarge.
     explicit Program(std::span<const expr::Expr> roots, Sampling sampling = Sampling::grid);
 
     [[nodiscard]] Sampling sampling() const;
@@ -149,7 +149,8 @@ private:
     std::vector<double*> arrays_;
 };
 
-/// Runs a program over a tile of any size on the widest instruction set of this machine. results[r]
+/// Runs a program over a tile of any size on the widest instruction set of this machine. Here and
+/// below, the sampling, the inputs and the number of results are those of the program. results[r]
 /// receives root r, row by row, width*height doubles without padding.
 void run(const Program& program, const Tile& tile, Scratch& scratch,
          std::span<double* const> results);

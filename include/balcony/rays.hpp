@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -147,7 +148,7 @@ class RayProgram {
 public:
     /// All expressions must be in one graph. It is an error if they depend on an input that the
     /// options do not declare. Throws expr::GraphTooLarge if the derivatives do not fit into
-    /// the graph; compile() converts this to a diagnostic.
+    /// the graph, and expr::GraphStopped; compile() converts them to diagnostics.
     [[nodiscard]] static Result<RayProgram> make(const camera::RayExpressions& ray,
                                                  Axes axes_of_ray, const CompileOptions& options);
 
@@ -173,10 +174,12 @@ private:
     std::optional<program::Program> for_points_;
 };
 
-/// Compiles the rays of a single camera, in a picture of a size in pixels. It is an error if the
-/// derivatives exceed the size limit of a graph, or if an input is not declared.
+/// Compiles the rays of a single camera, in a picture of a positive size in pixels. It is an error
+/// if the derivatives exceed the size limit of a graph, or if an input is not declared. Here and
+/// below, a stop is an error of Kind::interrupted.
 [[nodiscard]] Result<RayProgram> compile(const camera::Camera& camera, double width, double height,
-                                         const CompileOptions& options);
+                                         const CompileOptions& options,
+                                         const std::stop_token& stop = {});
 
 /// A compiled picture: the rays of each camera layer, and the coverage of each layer.
 class CompiledPicture {
@@ -222,7 +225,8 @@ private:
 /// Compiles a picture of a size in pixels, for tiles. It is an error if its formulas or their
 /// derivatives exceed the size limit of a graph.
 [[nodiscard]] Result<CompiledPicture> compile(const camera::Picture& picture, double width,
-                                              double height, const CompileOptions& options);
+                                              double height, const CompileOptions& options,
+                                              const std::stop_token& stop = {});
 
 /// A camera layer of a picture as a function from points of the whole picture to rays, which are
 /// valid only where its coverage is above 0.
@@ -251,7 +255,8 @@ private:
 
 /// Compiles the layers of a picture for points.
 [[nodiscard]] Result<VisibleLayers> compile_layers(const camera::Picture& picture, double width,
-                                                   double height, const CompileOptions& options);
+                                                   double height, const CompileOptions& options,
+                                                   const std::stop_token& stop = {});
 
 /// The first and the last of some times, in seconds.
 struct RayTimes {
@@ -262,6 +267,7 @@ struct RayTimes {
 /// When the rays of a picture meet the scene while its own time t runs from the first to the last:
 /// these times, and those of the cameras that give their rays times of their own, at a grid of
 /// points that includes the borders of the picture.
-[[nodiscard]] Result<RayTimes> ray_times(const camera::Picture& picture, const RayTimes& times);
+[[nodiscard]] Result<RayTimes> ray_times(const camera::Picture& picture, const RayTimes& times,
+                                         const std::stop_token& stop = {});
 
 }  // namespace balcony::rays

@@ -9,8 +9,9 @@
 
 namespace balcony::expr {
 
-GraphTooLarge::GraphTooLarge()
-    : std::length_error("an expression graph of more than 4 million nodes") {}
+GraphTooLarge::GraphTooLarge() : std::length_error("an expression graph with too many nodes") {}
+
+GraphStopped::GraphStopped() : std::runtime_error("interrupted") {}
 
 // Constants are equal if their bits are, so that 0 and -0 are distinct and a NaN equals itself.
 bool Node::operator==(const Node& other) const {
@@ -33,8 +34,11 @@ std::size_t Graph::Hash::operator()(const Node& node) const {
 }
 
 Expr Graph::intern(const Node& node) {
-    if (nodes_.size() >= max_nodes) {
+    if (nodes_.size() >= most_) {
         throw GraphTooLarge();
+    }
+    if (stop_.stop_requested()) {
+        throw GraphStopped();
     }
     const auto [known, is_new] = known_.try_emplace(node, NodeId(nodes_.size()));
     if (is_new) {

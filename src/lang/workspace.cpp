@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "balcony/lang.hpp"
+#include "balcony/progress.hpp"
 #include "lang/build/build_camera.hpp"
 #include "lang/built_in_cameras.hpp"
 #include "lang/names/session.hpp"
@@ -151,8 +152,12 @@ std::optional<camera::Picture> build_whole(const LocatedDefinition& place,
 
 // The result for a place, with its diagnostics.
 template <class Made>
-Result<Made> finish(std::optional<Made> made, const Module* module, Reporter& reporter) {
+Result<Made> finish(std::optional<Made> made, const Module* module, Session& session) {
+    Reporter& reporter = session.reporter();
     const bool failed = reporter.error_count() > 0;
+    if (failed && session.stop().stop_requested()) {
+        return stopped();
+    }
     if (!failed) {
         warn_of_unused_lets(*module, reporter);
     }
@@ -248,7 +253,7 @@ public:
                                   const std::optional<std::vector<std::string>>& open,
                                   const Find& find) {
         const auto make = [&](const std::vector<std::string>& names) -> Result<OpenAttempt> {
-            Session session(files, scene);
+            Session session = begin();
             const Module* module = read(session, source);
             const auto place = find(module, name, session.reporter());
             std::vector<Value> values;
@@ -264,14 +269,17 @@ public:
             if (picture) {
                 made = open_attempt(std::move(*picture), *place, overrides, values);
             }
-            return finish(std::move(made), module, session.reporter());
+            return finish(std::move(made), module, session);
         };
         return open_picture(make, open);
     }
 
+    [[nodiscard]] Session begin() { return Session(files, scene, stop); }
+
     const camera::Catalogue catalogue;
     Files files;
     std::optional<SceneMeasures> scene;
+    std::stop_token stop;
     std::vector<FittedParameter> fitted;
 };
 
@@ -290,18 +298,19 @@ void Workspace::fit_to(std::optional<SceneMeasures> scene) {
     implementation_->scene = std::move(scene);
 }
 
+void Workspace::stop_with(std::stop_token stop) { implementation_->stop = std::move(stop); }
+
 const std::vector<FittedParameter>& Workspace::fitted() const { return implementation_->fitted; }
 
 void Workspace::reload() { implementation_->files = Files(implementation_->catalogue); }
 
 Result<camera::Camera> Workspace::make_camera(const CameraSource& source, std::string_view name,
                                               const std::vector<Override>& overrides) {
-    Session session(implementation_->files, implementation_->scene);
+    Session session = implementation_->begin();
     const Module* module = read(session, source);
     const auto place = find_camera(module, name, session.reporter());
     const auto build = [&] { return build_camera(*place, {overrides, {}}, session, true); };
-    return finish(place ? within_graph(*place, session, build) : std::nullopt, module,
-                  session.reporter());
+    return finish(place ? within_graph(*place, session, build) : std::nullopt, module, session);
 }
 
 Result<OpenCamera> Workspace::make_open_camera(
@@ -325,19 +334,19 @@ Result<OpenPicture> Workspace::make_open_picture(
 
 Result<camera::Picture> Workspace::make_picture(const CameraSource& source, std::string_view name,
                                                 const std::vector<Override>& overrides) {
-    Session session(implementation_->files, implementation_->scene);
+    Session session = implementation_->begin();
     const Module* module = read(session, source);
     const auto place = find(module, name, false, session.reporter());
     std::optional<camera::Picture> made =
         place ? build_whole(*place, overrides, session) : std::nullopt;
     implementation_->fitted = session.fitted();
-    return finish(std::move(made), module, session.reporter());
+    return finish(std::move(made), module, session);
 }
 
 Result<std::vector<camera::Picture>> Workspace::make_all(const CameraSource& source,
                                                          const std::vector<Override>& overrides,
                                                          std::string_view name) {
-    Session session(implementation_->files, implementation_->scene);
+    Session session = implementation_->begin();
     const Module* module = read(session, source);
     const auto named = name.empty() ? std::nullopt : find(module, name, false, session.reporter());
     std::vector<camera::Picture> made;
@@ -360,12 +369,12 @@ Result<std::vector<camera::Picture>> Workspace::make_all(const CameraSource& sou
             build(*named, overrides);
         }
     }
-    return finish(std::optional(std::move(made)), module, session.reporter());
+    return finish(std::optional(std::move(made)), module, session);
 }
 
 Result<ExplainedPicture> Workspace::explain(const CameraSource& source, std::string_view name,
                                             const std::vector<Override>& overrides) {
-    Session session(implementation_->files, implementation_->scene);
+    Session session = implementation_->begin();
     const Module* module = read(session, source);
     const auto place = find(module, name, false, session.reporter());
     std::optional<camera::Picture> made =
@@ -375,11 +384,11 @@ Result<ExplainedPicture> Workspace::explain(const CameraSource& source, std::str
         Explanation explanation = lang::explain(*place, *made, {overrides, {}}, session);
         explained = ExplainedPicture{std::move(*made), std::move(explanation)};
     }
-    return finish(std::move(explained), module, session.reporter());
+    return finish(std::move(explained), module, session);
 }
 
 Result<std::vector<Description>> Workspace::describe(const CameraSource& source) {
-    Session session(implementation_->files, implementation_->scene);
+    Session session = implementation_->begin();
     const Module* module = read(session, source);
     if (session.reporter().error_count() > 0) {
         return session.reporter().take();

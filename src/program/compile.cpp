@@ -88,11 +88,14 @@ public:
     }
 
     std::shared_ptr<const Tape> run() {
-        find_results();
-        find_last_uses();
-        assign_registers();
-        place_registers();
-        emit();
+        for (const auto phase :
+             {&Compiler::find_results, &Compiler::find_last_uses, &Compiler::assign_registers,
+              &Compiler::place_registers, &Compiler::emit}) {
+            if (graph_.stop().stop_requested()) {
+                throw expr::GraphStopped();
+            }
+            (this->*phase)();
+        }
         return tape_;
     }
 
@@ -400,9 +403,6 @@ std::shared_ptr<const Tape> compile(std::span<const Expr> roots, const Interface
         tape->interface = interface;
         return tape;
     }
-    assert(std::all_of(roots.begin(), roots.end(), [&](const Expr& root) {
-        return root.valid() && &root.graph() == &roots.front().graph();
-    }));
     return Compiler(roots, interface).run();
 }
 

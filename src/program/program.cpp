@@ -8,6 +8,8 @@
 #include <optional>
 #include <set>
 
+#include "balcony/progress.hpp"
+#include "base/precondition.hpp"
 #include "program/tape.hpp"
 
 namespace balcony::program {
@@ -50,6 +52,18 @@ std::optional<Diagnostic> unknown_leaf(std::span<const Expr> roots, const Interf
     return std::nullopt;
 }
 
+bool are_in_one_graph(std::span<const Expr> roots) {
+    return std::all_of(roots.begin(), roots.end(), [&](const Expr& root) {
+        return root.valid() && &root.graph() == &roots.front().graph();
+    });
+}
+
+std::span<const Expr> of_x_y_and_time(std::span<const Expr> roots) {
+    precondition(are_in_one_graph(roots), "the roots of a program are in one graph");
+    precondition(roots.empty() || !unknown_leaf(roots, {}), "the roots depend on x, y and t alone");
+    return roots;
+}
+
 std::shared_ptr<const Tape> simplified_tape(std::span<const Expr> roots,
                                             const Interface& interface) {
     if (roots.empty()) {
@@ -63,13 +77,14 @@ std::shared_ptr<const Tape> simplified_tape(std::span<const Expr> roots,
 Program::Program(std::shared_ptr<const Tape> tape) : tape_(std::move(tape)) {}
 
 Program::Program(std::span<const Expr> roots, Sampling sampling)
-    : Program(simplified_tape(roots, {sampling, {}})) {
-    assert(roots.empty() || !unknown_leaf(roots, {}));
-}
+    : Program(simplified_tape(of_x_y_and_time(roots), {sampling, {}})) {}
 
 Result<Program> Program::make(std::span<const Expr> roots, const Interface& interface) {
     if (std::optional<Diagnostic> wrong = wrong_declaration(interface)) {
         return *std::move(wrong);
+    }
+    if (!are_in_one_graph(roots)) {
+        return error(Kind::internal, "the roots of a program are not in one graph");
     }
     if (roots.empty()) {
         return Program(compile(roots, interface));
@@ -79,6 +94,8 @@ Result<Program> Program::make(std::span<const Expr> roots, const Interface& inte
     }
     try {
         return Program(simplified_tape(roots, interface));
+    } catch (const expr::GraphStopped&) {
+        return stopped();
     } catch (const expr::GraphTooLarge&) {
         return error("the formulas grow to more than 4 million operations when they are compiled",
                      {}, "use fewer or simpler stages");
@@ -91,7 +108,10 @@ std::span<const Input> Program::inputs() const { return tape_->interface.inputs;
 
 std::size_t Program::root_count() const { return tape_->roots.size(); }
 
-Rate Program::rate(std::size_t root) const { return tape_->roots[root].rate; }
+Rate Program::rate(std::size_t root) const {
+    precondition(root < root_count(), "a program has no such root");
+    return tape_->roots[root].rate;
+}
 
 std::size_t Program::instruction_count(Rate rate) const { return tape_->section(rate).size(); }
 
@@ -109,8 +129,8 @@ bool fits(std::span<const Input> declared, InputValues given, const Count& count
 }  // namespace
 
 bool fits(const Program& program, const Tile& tile) {
-    return program.sampling() == Sampling::grid && tile.width <= max_tile_width &&
-           tile.height <= max_tile_height && fits(program.inputs(), tile.inputs, [&](Rate rate) {
+    return program.sampling() == Sampling::grid &&
+           fits(program.inputs(), tile.inputs, [&](Rate rate) {
                const bool columns = rate == Rate::column || rate == Rate::pixel;
                const bool rows = rate == Rate::row || rate == Rate::pixel;
                return (columns ? tile.width : 1) * (rows ? tile.height : 1);
@@ -119,9 +139,8 @@ bool fits(const Program& program, const Tile& tile) {
 
 bool fits(const Program& program, const Points& points) {
     return program.sampling() == Sampling::points && points.x.size() == points.y.size() &&
-           points.x.size() <= max_points && fits(program.inputs(), points.inputs, [&](Rate rate) {
-               return rate == Rate::uniform ? 1 : points.x.size();
-           });
+           fits(program.inputs(), points.inputs,
+                [&](Rate rate) { return rate == Rate::uniform ? 1 : points.x.size(); });
 }
 
 namespace {

@@ -231,7 +231,7 @@ std::span<const InstructionSet> instruction_sets() { return runners().sets; }
 void run_on(std::size_t set, const Program& program, const Tile& tile, Scratch& scratch,
             std::span<double* const> results) {
     assert(set < runners().kernels.size());
-    assert(fits(program, tile));
+    assert(tile.width <= max_tile_width && tile.height <= max_tile_height);
     if (!results.empty() && tile.width > 0 && tile.height > 0) {
         CallPointers pointers;
         TapeRun(program.tape(), runners().kernels[set], scratch, tile.inputs, results,
@@ -242,7 +242,7 @@ void run_on(std::size_t set, const Program& program, const Tile& tile, Scratch& 
 void run_on(std::size_t set, const Program& program, const Points& points, Scratch& scratch,
             std::span<double* const> results) {
     assert(set < runners().kernels.size());
-    assert(fits(program, points));
+    assert(points.x.size() <= max_points);
     if (!results.empty() && !points.x.empty()) {
         CallPointers pointers;
         TapeRun(program.tape(), runners().kernels[set], scratch, points.inputs, results,

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "base/precondition.hpp"
 #include "program/tape.hpp"
 
 namespace balcony::program {
@@ -60,10 +61,13 @@ private:
     std::vector<std::span<const double>> inputs_;
 };
 
+constexpr auto not_compiled_for = "a program runs over what it is compiled for";
+
 }  // namespace
 
 void run(const Program& program, const Tile& tile, Scratch& scratch,
          std::span<double* const> results) {
+    precondition(fits(program, tile) && results.size() == program.root_count(), not_compiled_for);
     if (tile.width <= max_tile_width && tile.height <= max_tile_height) {
         run_on(0, program, tile, scratch, results);
         return;
@@ -83,6 +87,7 @@ void run(const Program& program, const Tile& tile, Scratch& scratch,
 
 void run(const Program& program, const Points& points, Scratch& scratch,
          std::span<double* const> results) {
+    precondition(fits(program, points) && results.size() == program.root_count(), not_compiled_for);
     if (points.x.size() <= max_points) {
         run_on(0, program, points, scratch, results);
         return;

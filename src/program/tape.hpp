@@ -71,7 +71,7 @@ struct Tape {
 [[nodiscard]] std::shared_ptr<const Tape> compile(std::span<const expr::Expr> roots,
                                                   const Interface& interface);
 
-/// Whether a program can run over it: for what it is compiled, of what size, with which inputs.
+/// Whether a program can run over it: for what it is compiled, with which inputs.
 [[nodiscard]] bool fits(const Program& program, const Tile& tile);
 [[nodiscard]] bool fits(const Program& program, const Points& points);
 

@@ -76,11 +76,11 @@ void CompiledPicture::run_coverages(const Tile& tile, Scratch& scratch,
 }
 
 Result<CompiledPicture> compile(const camera::Picture& picture, double width, double height,
-                                const CompileOptions& options) {
-    return within_limits<CompiledPicture>("picture", picture.name(), [&] {
-        expr::Graph graph;
-        return PictureCompiler(options).run(picture.emit(graph, width, height).elements);
-    });
+                                const CompileOptions& options, const std::stop_token& stop) {
+    return within_limits<CompiledPicture>(
+        "picture", picture.name(), {width, height}, stop, [&](auto& graph) {
+            return PictureCompiler(options).run(picture.emit(graph, width, height).elements);
+        });
 }
 
 }  // namespace balcony::rays

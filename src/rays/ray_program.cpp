@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "base/precondition.hpp"
 #include "rays/results.hpp"
 
 namespace balcony::rays {
@@ -21,6 +22,9 @@ bool declares(const CompileOptions& options, std::string_view name) {
 
 Result<RayProgram> RayProgram::make(const camera::RayExpressions& ray, Axes axes_of_ray,
                                     const CompileOptions& options) {
+    if (!options.tiles && !options.points) {
+        return error(Kind::internal, "rays are compiled for tiles or for points");
+    }
     const bool lens = ray.lens && declares(options, camera::lens_input_x) &&
                       declares(options, camera::lens_input_y);
     std::vector<expr::Expr> roots =
@@ -58,21 +62,22 @@ std::size_t RayProgram::instruction_count() const {
 }
 
 void RayProgram::run(const Tile& tile, Scratch& scratch, RayBatch& rays) const {
-    assert(for_tiles_ && "the options were not for tiles");
+    precondition(for_tiles_.has_value(), "the rays are compiled for tiles");
     program::run(*for_tiles_, tile, scratch, rays.reserve(tile.width * tile.height, roots_));
 }
 
 void RayProgram::run(const Points& points, Scratch& scratch, RayBatch& rays) const {
-    assert(for_points_ && "the options were not for points");
+    precondition(for_points_.has_value(), "the rays are compiled for points");
     program::run(*for_points_, points, scratch, rays.reserve(points.x.size(), roots_));
 }
 
 Result<RayProgram> compile(const camera::Camera& camera, double width, double height,
-                           const CompileOptions& options) {
-    return within_limits<RayProgram>("camera", camera.name(), [&] {
-        expr::Graph graph;
-        return RayProgram::make(camera.emit(graph, width, height), camera.parts().axes, options);
-    });
+                           const CompileOptions& options, const std::stop_token& stop) {
+    return within_limits<RayProgram>("camera", camera.name(), {width, height}, stop,
+                                     [&](auto& graph) {
+                                         return RayProgram::make(camera.emit(graph, width, height),
+                                                                 camera.parts().axes, options);
+                                     });
 }
 
 }  // namespace balcony::rays

@@ -26,11 +26,11 @@ void add_times(const Elements& elements, std::vector<expr::Expr>& times) {
 
 }  // namespace
 
-Result<RayTimes> ray_times(const camera::Picture& picture, const RayTimes& times) {
+Result<RayTimes> ray_times(const camera::Picture& picture, const RayTimes& times,
+                           const std::stop_token& stop) {
     constexpr double height = 256.0;
     const double width = std::clamp(std::round(height * picture.aspect()), 1.0, 4096.0);
-    return within_limits<RayTimes>("picture", picture.name(), [&]() -> Result<RayTimes> {
-        expr::Graph graph;
+    const auto find = [&](expr::Graph& graph) -> Result<RayTimes> {
         std::vector<expr::Expr> roots;
         add_times(picture.emit(graph, width, height).elements, roots);
         if (roots.empty()) {
@@ -40,27 +40,31 @@ Result<RayTimes> ray_times(const camera::Picture& picture, const RayTimes& times
         if (!made) {
             return made.diagnostics;
         }
-        // With a point on each corner and border.
-        Tile grid{0.0, 0.0, 1.0, static_cast<std::size_t>(width) + 1,
-                  static_cast<std::size_t>(height) + 1};
+        // With a point on each corner and border, row by row.
+        Tile row{0.0, 0.0, 1.0, static_cast<std::size_t>(width) + 1, 1};
         Scratch scratch;
         program::ResultArrays values;
         RayTimes all = times;
         for (const double time : {times.first, 0.5 * (times.first + times.last), times.last}) {
-            grid.time = time;
-            const std::size_t count = grid.width * grid.height;
-            program::run(*made, grid, scratch, values.reserve(roots.size(), count));
-            for (std::size_t root = 0; root < roots.size(); ++root) {
-                for (std::size_t i = 0; i < count; ++i) {
-                    if (const double found = values[root][i]; std::isfinite(found)) {
-                        all.first = std::min(all.first, found);
-                        all.last = std::max(all.last, found);
+            row.time = time;
+            for (row.y = 0.0; row.y <= height; row.y += 1.0) {
+                if (stop.stop_requested()) {
+                    return stopped();
+                }
+                program::run(*made, row, scratch, values.reserve(roots.size(), row.width));
+                for (std::size_t root = 0; root < roots.size(); ++root) {
+                    for (std::size_t i = 0; i < row.width; ++i) {
+                        if (const double found = values[root][i]; std::isfinite(found)) {
+                            all.first = std::min(all.first, found);
+                            all.last = std::max(all.last, found);
+                        }
                     }
                 }
             }
         }
         return all;
-    });
+    };
+    return within_limits<RayTimes>("picture", picture.name(), {width, height}, stop, find);
 }
 
 }  // namespace balcony::rays

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <iterator>
 #include <optional>
 #include <string>
@@ -11,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "balcony/expr.hpp"
+#include "balcony/progress.hpp"
 
 namespace balcony::rays {
 
@@ -22,12 +25,22 @@ template <class Value>
     return std::move(result.value);
 }
 
-/// The result of `make()`, or an error if it writes more operations than a graph can contain.
+/// The result of `make(graph)`, or an error if it writes more operations than a graph can contain,
+/// after a stop, and of a picture without pixels.
 template <class Made, class Make>
 [[nodiscard]] Result<Made> within_limits(std::string_view what, const std::string& name,
+                                         std::array<double, 2> size, const std::stop_token& stop,
                                          const Make& make) {
+    const auto [width, height] = size;
+    if (!(width > 0.0 && height > 0.0 && std::isfinite(width) && std::isfinite(height))) {
+        return error(fmt::format("a picture of {} x {} pixels is empty", width, height), {},
+                     "give a positive width and height");
+    }
+    expr::Graph graph(stop);
     try {
-        return make();
+        return make(graph);
+    } catch (const expr::GraphStopped&) {
+        return stopped();
     } catch (const expr::GraphTooLarge&) {
         return error(fmt::format("{} '{}' is too large: its formulas and their derivatives have "
                                  "more operations than a graph can contain",

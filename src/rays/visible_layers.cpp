@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "base/precondition.hpp"
 #include "rays/results.hpp"
 
 namespace balcony::rays {
@@ -71,16 +72,16 @@ private:
 
 void VisibleLayers::run_hidden(const Points& points, Scratch& scratch,
                                std::span<double* const> hidden) const {
-    assert(hidden_ && "nothing hides any layer");
+    precondition(hidden_.has_value(), "something hides a layer");
     program::run(*hidden_, points, scratch, hidden);
 }
 
 Result<VisibleLayers> compile_layers(const camera::Picture& picture, double width, double height,
-                                     const CompileOptions& options) {
-    return within_limits<VisibleLayers>("picture", picture.name(), [&] {
-        expr::Graph graph;
-        return LayerFinder(options).run(picture.emit(graph, width, height).elements, graph);
-    });
+                                     const CompileOptions& options, const std::stop_token& stop) {
+    return within_limits<VisibleLayers>(
+        "picture", picture.name(), {width, height}, stop, [&](auto& graph) {
+            return LayerFinder(options).run(picture.emit(graph, width, height).elements, graph);
+        });
 }
 
 }  // namespace balcony::rays

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <stop_token>
 
 #include <gtest/gtest.h>
 
@@ -241,6 +242,19 @@ TEST(Graph, ASumOfSquaresIsNotFiniteWhereATermIsNot) {
         EXPECT_FALSE(std::isfinite(evaluate(std::span(&form, 1), {2.0, 0.0, 0.0, {}})[0]));
         EXPECT_NEAR(evaluate(std::span(&form, 1), {0.5, 0.25, 0.0, {}})[0], 1.0, 1e-15);
     }
+}
+
+TEST(Graph, HasItsMostNodesAndEndsAtAStop) {
+    Graph small({}, 3);
+    const Expr sum = small.picture_x() + small.picture_y();
+    EXPECT_EQ(small.size(), 3U);
+    EXPECT_THROW(sin(sum), GraphTooLarge);
+    std::stop_source stop;
+    Graph graph(stop.get_token());
+    const std::array roots{sin(graph.picture_x()) * graph.picture_y()};
+    stop.request_stop();
+    EXPECT_THROW(static_cast<void>(differentiate(roots, Expr(graph, NodeId(0)))), GraphStopped);
+    EXPECT_THROW(static_cast<void>(simplify(roots)), GraphStopped);
 }
 
 TEST(Evaluate, GivesEveryRootAtThePoint) {

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <stdexcept>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -189,6 +190,34 @@ TEST(Inputs, AFreeVariableIsNone) {
     Graph graph;
     EXPECT_EQ(refusal(std::array{sin(graph.fresh_variable())}, {}),
               "a formula with a free variable cannot be compiled");
+}
+
+TEST(Inputs, OfTheWrongKindOrNumberAreRefusedInAllBuilds) {
+    Graph graph;
+    Graph other;
+    const std::array apart{graph.picture_x(), other.picture_x()};
+    EXPECT_EQ(kind_of_errors(Program::make(apart).diagnostics), Kind::internal);
+    EXPECT_THROW(Program{apart}, std::logic_error);
+    EXPECT_THROW(Program{std::array{graph.input("lens_u")}}, std::logic_error);
+    const std::array root{graph.picture_x() * graph.input("lens_u")};
+    const Result<Program> program =
+        Program::make(root, {Sampling::grid, {{"lens_u", Rate::column}}});
+    ASSERT_TRUE(program);
+    EXPECT_THROW(static_cast<void>(program->rate(1)), std::logic_error);
+    std::array<double, 6> values{};
+    const std::array results{values.data()};
+    const std::array<double, 3> columns{1.0, 2.0, 3.0};
+    const std::array<std::span<const double>, 1> inputs{columns};
+    Scratch scratch;
+    const Tile tile{.width = 3, .height = 2, .inputs = inputs};
+    run(*program, tile, scratch, results);
+    EXPECT_EQ(values[5], 2.5 * 3.0);
+    EXPECT_THROW(run(*program, tile, scratch, {}), std::logic_error);
+    EXPECT_THROW(run(*program, Tile{.width = 3, .height = 2}, scratch, results), std::logic_error);
+    EXPECT_THROW(run(*program, Tile{.width = 200, .height = 2, .inputs = inputs}, scratch, results),
+                 std::logic_error);
+    EXPECT_THROW(run(*program, Points{columns, columns, 0.0, inputs}, scratch, results),
+                 std::logic_error);
 }
 
 }  // namespace balcony::program::inputs_test

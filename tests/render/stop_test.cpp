@@ -102,6 +102,7 @@ TEST(Stops, JobsAndProbesObey) {
     const std::stop_token stop = stop_beforehand();
     EXPECT_TRUE(is_stopped(Job::make(renderer, camera, asked, film, stop)));
     EXPECT_TRUE(is_stopped(probe(renderer, camera, {}, {}, stop)));
+    EXPECT_TRUE(is_stopped(explain_miss(renderer, camera, {}, stop)));
     EXPECT_TRUE(is_stopped(default_camera(renderer, stop)));
     EXPECT_TRUE(is_stopped(measure_scene(renderer, {}, stop)));
     const std::vector<SightLine> lines{{{0.0, 0.0, 1.0}, {0.0, 0.0, -1.0}}};
@@ -124,6 +125,11 @@ TEST(Stops, AProbeTellsItsProgress) {
 
 TEST(Stops, WithoutASceneOrAFilmThereIsAnError) {
     EXPECT_EQ(kind_of_errors(Renderer::make(nullptr).diagnostics), Kind::internal);
+    scene::Scene broken;
+    broken.instances.push_back({.mesh = scene::MeshIndex(0), .world_from_mesh = {}});
+    EXPECT_EQ(
+        kind_of_errors(Renderer::make(std::make_shared<const scene::Scene>(broken)).diagnostics),
+        Kind::internal);
     const Renderer renderer = renderer_of(scene::Scene{});
     const camera::Camera camera = pinhole(view_down_z(0.0, 0.0, 3.0));
     EXPECT_EQ(kind_of_errors(Job::make(renderer, camera, {}, nullptr).diagnostics), Kind::internal);

@@ -16,6 +16,7 @@
 #include "analyse/inverse/point_rays.hpp"
 #include "analyse/inverse/point_search.hpp"
 #include "analyse/inverse/ray_tree.hpp"
+#include "base/precondition.hpp"
 
 namespace balcony::analyse {
 
@@ -288,12 +289,9 @@ Result<Locator> Locator::make(const camera::Picture& picture, double width, doub
 
 Result<Locator> Locator::make(const camera::Picture& picture, double width, double height,
                               double time, std::optional<Axes> axes, const Work& work) {
-    if (!(width > 0.0 && height > 0.0 && std::isfinite(width) && std::isfinite(height))) {
-        return error(fmt::format("a picture of {} x {} pixels is empty", width, height), {},
-                     "give a positive width and height");
-    }
     Result<rays::VisibleLayers> visible = rays::compile_layers(
-        picture, width, height, {.axes = axes, .footprints = true, .tiles = false, .points = true});
+        picture, width, height, {.axes = axes, .footprints = true, .tiles = false, .points = true},
+        work.stop());
     if (!visible) {
         return visible.diagnostics;
     }
@@ -354,6 +352,7 @@ Result<std::vector<Sighting>> Locator::locate(std::span<const V3d> points,
 
 void Locator::find(std::span<const rays::ImagePointQuery> queries,
                    std::span<rays::ImagePoint> found) const {
+    precondition(found.size() == queries.size(), "each query of an image point has a result");
     std::vector<V3d> points;
     points.reserve(queries.size());
     for (const rays::ImagePointQuery& query : queries) {

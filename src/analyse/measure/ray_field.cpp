@@ -30,9 +30,9 @@ Result<RayField> RayField::make(const camera::Camera& camera, double picture_wid
                                 double picture_height, double time, Derivatives derivatives,
                                 Work work) {
     work.go_on();
-    Result<rays::RayProgram> program =
-        rays::compile(camera, picture_width, picture_height,
-                      {.footprints = derivatives == Derivatives::with, .points = true});
+    Result<rays::RayProgram> program = rays::compile(
+        camera, picture_width, picture_height,
+        {.footprints = derivatives == Derivatives::with, .points = true}, work.stop());
     if (!program) {
         return program.diagnostics;
     }

@@ -32,6 +32,7 @@ public:
             progress_(part);
         }
     }
+    [[nodiscard]] const std::stop_token& stop() const { return stop_; }
     /// Work that is a part of this.
     [[nodiscard]] Work part(double begin, double end) const {
         return {part_of(progress_, begin, end), stop_};

@@ -167,9 +167,9 @@ bool FrameLoop::go_to(std::size_t frame, const std::stop_token& stop) {
         picture_ = *moved;
         job_.reset();
     }
-    const bool moved = move_along(picture_, loaded_, stop, found);
+    bool moved = move_along(picture_, loaded_, stop, found);
     if (moved && layout_.layers.contains(render::LayerId::motion)) {
-        add(found, inverses_.add_to(settings, *loaded_.scene, picture_));
+        moved = !add(found, inverses_.add_to(settings, *loaded_.scene, picture_, stop));
     }
     add_once(found);
     return moved;

@@ -88,8 +88,10 @@ Result<CameraArgument> read_camera(const std::string& camera, const std::vector<
 }
 
 Result<camera::Picture> load_picture(const std::string& picture,
-                                     const std::vector<std::string>& set) {
+                                     const std::vector<std::string>& set,
+                                     const std::stop_token& stop) {
     lang::Workspace workspace;
+    workspace.stop_with(stop);
     return load_picture(picture, set, workspace);
 }
 
@@ -102,10 +104,10 @@ Result<camera::Picture> load_picture(const std::string& picture,
 }
 
 Result<camera::Picture> load_picture(const std::string& picture,
-                                     const std::vector<std::string>& set,
-                                     const scene::Scene& scene) {
+                                     const std::vector<std::string>& set, const scene::Scene& scene,
+                                     const std::stop_token& stop) {
     if (!is_of_scene(picture)) {
-        return load_picture(picture, set);
+        return load_picture(picture, set, stop);
     }
     if (!set.empty()) {
         return error(fmt::format("'{}' has no parameters that --set could set", picture), {},

@@ -76,7 +76,8 @@ Result<camera::Picture> picture_at(const Request& request, const scene::Scene& s
 }
 
 FrameInverses::Inverse FrameInverses::at(double time, const scene::Scene& scene,
-                                         const camera::Picture& picture, Diagnostics& found) {
+                                         const camera::Picture& picture,
+                                         const std::stop_token& stop, Diagnostics& found) {
     const bool rests = !has_moving_camera(request_, scene) && is_at_rest(picture, size_);
     const double key = rests ? 0.0 : time;
     // Rounding separates a time that is reached from both sides.
@@ -91,7 +92,7 @@ FrameInverses::Inverse FrameInverses::at(double time, const scene::Scene& scene,
     if (moved) {
         const auto locator =
             analyse::Locator::make(*moved, static_cast<double>(size_.first),
-                                   static_cast<double>(size_.second), time, scene.axes);
+                                   static_cast<double>(size_.second), time, scene.axes, {}, stop);
         add(found, locator.diagnostics);
         inverse = locator ? std::make_shared<const analyse::Locator>(*locator) : nullptr;
         ++made_;
@@ -101,11 +102,11 @@ FrameInverses::Inverse FrameInverses::at(double time, const scene::Scene& scene,
 }
 
 Diagnostics FrameInverses::add_to(render::Settings& settings, const scene::Scene& scene,
-                                  const camera::Picture& picture) {
+                                  const camera::Picture& picture, const std::stop_token& stop) {
     Diagnostics found;
     render::FrameSettings& frames = settings.frames;
-    frames.previous = at(settings.time - frames.duration, scene, picture, found);
-    frames.next = at(settings.time + frames.duration, scene, picture, found);
+    frames.previous = at(settings.time - frames.duration, scene, picture, stop, found);
+    frames.next = at(settings.time + frames.duration, scene, picture, stop, found);
     // A later frame needs none that is further back than its own time.
     if (inverses_.size() > 1) {
         inverses_.erase(inverses_.begin(),

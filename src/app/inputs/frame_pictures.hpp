@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <utility>
 
 #include "balcony/picture.hpp"
@@ -34,7 +35,7 @@ public:
 
     /// Adds the inverses in the previous and the next frame to the settings.
     [[nodiscard]] Diagnostics add_to(render::Settings& settings, const scene::Scene& scene,
-                                     const camera::Picture& picture);
+                                     const camera::Picture& picture, const std::stop_token& stop);
 
     /// How many inverses were made so far.
     [[nodiscard]] std::size_t made() const { return made_; }
@@ -42,7 +43,7 @@ public:
 private:
     using Inverse = std::shared_ptr<const rays::ImagePointFinder>;
     [[nodiscard]] Inverse at(double time, const scene::Scene& scene, const camera::Picture& picture,
-                             Diagnostics& found);
+                             const std::stop_token& stop, Diagnostics& found);
 
     const Request& request_;
     std::pair<std::size_t, std::size_t> size_;

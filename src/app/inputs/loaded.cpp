@@ -28,12 +28,13 @@ bool gives_times(const camera::Picture& picture) {
 // When rays meet the scene: while the shutter is open, and at the times that the cameras give them.
 scene::TimeInterval times_of_rays(const render::Settings& settings,
                                   const std::optional<camera::Picture>& picture,
-                                  Diagnostics& found) {
+                                  const std::stop_token& stop, Diagnostics& found) {
     const scene::TimeInterval exposure = settings.shutter.exposure(settings.time);
     if (!picture || !gives_times(*picture)) {
         return exposure;
     }
-    const Result<rays::RayTimes> times = rays::ray_times(*picture, {exposure.begin, exposure.end});
+    const Result<rays::RayTimes> times =
+        rays::ray_times(*picture, {exposure.begin, exposure.end}, stop);
     add(found, times.diagnostics);
     return times ? scene::TimeInterval{times->first, times->last} : exposure;
 }
@@ -59,7 +60,9 @@ class Loading {
 public:
     Loading(const Request& request, Loaded& loaded, const Observer& observer,
             const std::stop_token& stop, Diagnostics& found)
-        : request_(request), loaded_(loaded), observer_(observer), stop_(stop), found_(found) {}
+        : request_(request), loaded_(loaded), observer_(observer), stop_(stop), found_(found) {
+        loaded.cameras.stop_with(stop);
+    }
 
     // A camera loads fast, so its mistakes are reported before a large scene is read.
     std::optional<camera::Picture> picture() {
@@ -80,7 +83,7 @@ public:
         if (!of_file) {
             picture = request_.camera.empty()
                           ? default_picture(*loaded_.scene, *loaded_.renderer, stop_)
-                          : load_picture(request_.camera, request_.set, *loaded_.scene);
+                          : load_picture(request_.camera, request_.set, *loaded_.scene, stop_);
             add(found_, picture.diagnostics);
         }
         return picture ? std::optional(picture->with_fit(request_.size.fit)) : std::nullopt;
@@ -115,7 +118,7 @@ private:
 
     // Without a picture, for the time that the shutter is open.
     bool prepare(const std::optional<camera::Picture>& picture) {
-        const scene::TimeInterval times = times_of_rays(loaded_.settings, picture, found_);
+        const scene::TimeInterval times = times_of_rays(loaded_.settings, picture, stop_, found_);
         if (loaded_.renderer) {
             return has_times(loaded_, times) || move_renderer(loaded_, times, stop_, found_);
         }
@@ -197,7 +200,7 @@ bool load_settings(const Request& request, Loaded& loaded, const std::stop_token
 
 bool move_along(const camera::Picture& picture, Loaded& loaded, const std::stop_token& stop,
                 Diagnostics& found) {
-    const scene::TimeInterval times = times_of_rays(loaded.settings, picture, found);
+    const scene::TimeInterval times = times_of_rays(loaded.settings, picture, stop, found);
     return (!loaded.scene->motion && has_times(loaded, times)) ||
            move_renderer(loaded, times, stop, found);
 }

@@ -18,14 +18,20 @@ namespace {
 
 using analyse::V3d;
 
-std::size_t count_seen(const PointSearch& search, Axes axes) {
-    const auto locator =
-        analyse::Locator::make(search.picture, search.width, search.height, search.time, axes);
+Result<std::size_t> count_seen(const PointSearch& search, Axes axes, const std::stop_token& stop) {
+    const auto locator = analyse::Locator::make(search.picture, search.width, search.height,
+                                                search.time, axes, {}, stop);
+    if (!locator) {
+        return locator.diagnostics;
+    }
+    std::vector<std::size_t> in_part;
+    const auto sightings = locator->locate(search.points, in_part, {}, stop);
+    if (!sightings) {
+        return sightings.diagnostics;
+    }
     std::set<std::size_t> seen;
-    if (locator) {
-        for (const analyse::Sighting& sighting : locator->locate(search.points)) {
-            seen.insert(sighting.point);
-        }
+    for (const analyse::Sighting& sighting : *sightings) {
+        seen.insert(sighting.point);
     }
     return seen.size();
 }
@@ -36,9 +42,11 @@ struct Behind {
     double nearest = std::numeric_limits<double>::infinity();
 };
 
-void examine(const camera::Camera& camera, const PointSearch& search, Behind& behind) {
+void examine(const camera::Camera& camera, const PointSearch& search, const std::stop_token& stop,
+             Behind& behind) {
     constexpr std::size_t side = 16;
-    const auto rays = rays::compile(camera, search.width, search.height, {.axes = search.axes});
+    const auto rays =
+        rays::compile(camera, search.width, search.height, {.axes = search.axes}, stop);
     if (!rays) {
         behind.all = false;
         return;
@@ -53,7 +61,7 @@ void examine(const camera::Camera& camera, const PointSearch& search, Behind& be
     rays->run(
         {0.5 * step, 0.5 * step, step, steps(search.width), steps(search.height), search.time},
         scratch, batch);
-    for (std::size_t i = 0; i < batch.size() && behind.all; ++i) {
+    for (std::size_t i = 0; i < batch.size() && behind.all && !stop.stop_requested(); ++i) {
         for (const V3d& point : search.points) {
             const V3d away = point - batch.origin(i);
             if (batch.valid(i)) {
@@ -68,9 +76,9 @@ void examine(const camera::Camera& camera, const PointSearch& search, Behind& be
 
 std::string_view axes_text(Axes axes) { return axes == Axes::y_up ? "y up" : "z up"; }
 
-Diagnostics explain_unseen(const PointSearch& search) {
+Diagnostics explain_unseen(const PointSearch& search, const std::stop_token& stop) {
     const Axes other = search.axes == Axes::y_up ? Axes::z_up : Axes::y_up;
-    if (const std::size_t seen = count_seen(search, other); seen > 0) {
+    if (const std::size_t seen = count_seen(search, other, stop).value.value_or(0); seen > 0) {
         return {warning(
             fmt::format("no point is in the picture if they are read with {}; with {}, {} of {} {}",
                         axes_text(search.axes), axes_text(other), seen, search.points.size(),
@@ -79,7 +87,10 @@ Diagnostics explain_unseen(const PointSearch& search) {
     }
     Behind behind;
     for (const camera::ShownCamera& shown : shown_cameras(search.picture)) {
-        examine(shown.camera, search, behind);
+        examine(shown.camera, search, stop, behind);
+    }
+    if (stop.stop_requested()) {
+        return {stopped()};
     }
     if (!behind.all || !std::isfinite(behind.nearest)) {
         return {};

@@ -213,7 +213,9 @@ void Session::State::render(const Request& request, const Observer& observer,
     const render::FilmLayout layout = film_layout(request, *picture, format != nullptr);
     if (layout.layers.contains(render::LayerId::motion)) {
         FrameInverses inverses(request, {layout.width, layout.height});
-        add(report.diagnostics, inverses.add_to(loaded.settings, *loaded.scene, *picture));
+        if (fails(inverses.add_to(loaded.settings, *loaded.scene, *picture, stop))) {
+            return;
+        }
     }
     if (format == nullptr && !request.output.empty() && is_large(layout, request)) {
         if (request.job.shard) {

@@ -113,7 +113,9 @@ Diagnostics write_map(const analyse::CameraReport& report, const MapFile& map) {
 class Check {
 public:
     Check(const CheckRequest& request, const CheckObserver& observer, const std::stop_token& stop)
-        : request_(request), observer_(observer), stop_(stop) {}
+        : request_(request), observer_(observer), stop_(stop) {
+        workspace_.stop_with(stop);
+    }
 
     CheckReport operator()() {
         Diagnostics usage = check_size(request_.size);
@@ -294,7 +296,8 @@ private:
             render::explain_miss(*renderer_, subject.camera,
                                  {.width = static_cast<std::size_t>(subject.width),
                                   .height = static_cast<std::size_t>(subject.height),
-                                  .time = request_.time});
+                                  .time = request_.time},
+                                 stop_);
         if (miss && found.never_seen.size() == scene_->objects.size()) {
             found.miss = miss_text(*miss, subject.camera);
         }

@@ -82,6 +82,7 @@ Diagnostics draw(const DrawRequest& request, const std::stop_token& stop) {
         return found;
     }
     lang::Workspace workspace;
+    workspace.stop_with(stop);
     const auto picture = load_picture(request.camera, request.set, workspace);
     add(found, picture.diagnostics);
     add(found, check_overwrites(request.output, workspace.files()));

@@ -133,7 +133,8 @@ Result<Located> locate(const LocateRequest& request, const std::stop_token& stop
     }
     if (found.sightings.empty() && !found.points.empty()) {
         add(diagnostics,
-            explain_unseen({*picture, width, height, request.time, found.axes, found.points}));
+            explain_unseen({*picture, width, height, request.time, found.axes, found.points},
+                           stop));
     }
     if (prepared) {
         found.objects = prepared->scene->objects;

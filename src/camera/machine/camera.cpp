@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "balcony/progress.hpp"
 #include "camera/machine/arrange.hpp"
 #include "camera/machine/misfits.hpp"
 #include "camera/machine/ray_expressions.hpp"
@@ -125,7 +126,7 @@ std::vector<Misfit> misfits(const Camera::Parts& parts) {
     return found;
 }
 
-Result<Camera> Camera::make(Parts parts) {
+Result<Camera> Camera::make(Parts parts, const std::stop_token& stop) {
     const std::string name = parts.name;
     Diagnostics diagnostics;
     check_path(parts.eye, "eye", parts.name, diagnostics);
@@ -158,9 +159,12 @@ Result<Camera> Camera::make(Parts parts) {
     }
     std::shared_ptr<const Emitted> emitted;
     try {
-        emitted = std::make_shared<const Emitted>(std::move(parts));
+        emitted =
+            std::make_shared<const Emitted>(std::move(parts), stop, max_operations_of_camera + 1);
+    } catch (const expr::GraphStopped&) {
+        return stopped();
     } catch (const expr::GraphTooLarge&) {
-        // It did not even fit into a graph.
+        // The error follows.
     }
     if (!emitted || emitted->graph.size() > max_operations_of_camera) {
         diagnostics.push_back(too_large("camera", name, max_operations_of_camera));
@@ -256,8 +260,9 @@ Diagnostics unmet_needs(const PicturePoint& picture, const Emitter& emit) {
 
 }  // namespace
 
-Camera::Emitted::Emitted(Parts made_of)
+Camera::Emitted::Emitted(Parts made_of, const std::stop_token& stop, std::size_t most_operations)
     : parts(std::move(made_of)),
+      graph(stop, most_operations),
       picture{{graph.picture_x(), graph.picture_y()},
               {graph.fresh_variable(), graph.fresh_variable()}} {
     constexpr double height = 1000.0;
@@ -296,7 +301,8 @@ Camera::Emitted::Emitted(Parts made_of)
 Camera Camera::with_turn(const Turn& turn) const {
     Parts turned = parts();
     turned.turn = turn;
-    return Camera(std::make_shared<const Emitted>(std::move(turned)));
+    return Camera(
+        std::make_shared<const Emitted>(std::move(turned), std::stop_token(), expr::max_nodes));
 }
 
 std::optional<double> Camera::fixed_aspect() const {

@@ -367,7 +367,7 @@ private:
     }
 
     std::optional<camera::Camera> finish(camera::Camera::Parts parts) {
-        Result<camera::Camera> made = camera::Camera::make(std::move(parts));
+        Result<camera::Camera> made = camera::Camera::make(std::move(parts), session_.stop());
         for (Diagnostic& diagnostic : made.diagnostics) {
             if (!diagnostic.span.source) {
                 diagnostic.span = tree_.at(camera_.name.span);

@@ -93,9 +93,10 @@ std::string instead_of_camera(std::string_view name) {
                                                         all_of(described)));
 }
 
-Session::Session(Files& files, std::optional<SceneMeasures> scene)
+Session::Session(Files& files, std::optional<SceneMeasures> scene, std::stop_token stop)
     : files_(files),
       graph_(std::make_shared<expr::Graph>()),
+      stop_(std::move(stop)),
       context_{*graph_, reporter_, files.catalogue(), calls_, *this},
       scene_(std::move(scene)),
       constants_(constants(*graph_)) {

@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -48,11 +49,13 @@ struct LocatedDefinition {
 class Session final : public Tables {
 public:
     /// The files must outlive it. With a scene, cameras are fitted to it.
-    explicit Session(Files& files, std::optional<SceneMeasures> scene = {});
+    explicit Session(Files& files, std::optional<SceneMeasures> scene = {},
+                     std::stop_token stop = {});
 
     [[nodiscard]] Reporter& reporter() { return reporter_; }
     [[nodiscard]] const std::shared_ptr<expr::Graph>& graph() const { return graph_; }
 
+    [[nodiscard]] const std::stop_token& stop() const { return stop_; }
     [[nodiscard]] const Context& context() const { return context_; }
     [[nodiscard]] const camera::Catalogue& catalogue() const { return files_.catalogue(); }
     [[nodiscard]] Files& files() { return files_; }
@@ -122,6 +125,7 @@ private:
     Files& files_;
     Reporter reporter_;
     std::shared_ptr<expr::Graph> graph_;
+    std::stop_token stop_;
     CallWork calls_;
     const Context context_;
     const std::optional<SceneMeasures> scene_;

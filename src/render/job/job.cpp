@@ -106,7 +106,8 @@ PictureForm form_of(const Film& film, const TracedScene& traced) {
 }
 
 // Compiles the rays of all layers, and the central ones if a lens is focused on an object.
-Diagnostics compile(const camera::Picture& picture, const PictureInputs& inputs, JobParts& parts) {
+Diagnostics compile(const camera::Picture& picture, const PictureInputs& inputs,
+                    const std::stop_token& stop, JobParts& parts) {
     const auto width = static_cast<double>(parts.form.size[0]);
     const auto height = static_cast<double>(parts.form.size[1]);
     const Axes axes = parts.traced.scene->axes;
@@ -114,7 +115,8 @@ Diagnostics compile(const camera::Picture& picture, const PictureInputs& inputs,
                                                       {.axes = axes,
                                                        .footprints = parts.form.footprints,
                                                        .parameters = parts.form.parameters,
-                                                       .inputs = declared(inputs)});
+                                                       .inputs = declared(inputs)},
+                                                      stop);
     if (!all) {
         return std::move(all.diagnostics);
     }
@@ -123,7 +125,7 @@ Diagnostics compile(const camera::Picture& picture, const PictureInputs& inputs,
         return {};
     }
     Result<rays::CompiledPicture> central = rays::compile(
-        picture, width, height, {.axes = axes, .inputs = declared({{}, inputs.parameters})});
+        picture, width, height, {.axes = axes, .inputs = declared({{}, inputs.parameters})}, stop);
     if (!central) {
         return std::move(central.diagnostics);
     }
@@ -229,7 +231,7 @@ Result<Job> Job::make(const Renderer& renderer, const camera::Picture& picture,
         if (previous != nullptr && previous->parts->form == parts->form) {
             parts->picture = previous->parts->picture;
             parts->central = previous->parts->central;
-        } else if (Diagnostics found = compile(picture, *inputs, *parts); !found.empty()) {
+        } else if (Diagnostics found = compile(picture, *inputs, stop, *parts); !found.empty()) {
             return found;
         }
         measure_focus(*inputs, traced, parts->central, film, settings.time);

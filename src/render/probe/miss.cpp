@@ -65,7 +65,7 @@ std::size_t count_objects(const std::vector<Line>& lines, const ProbedScene& sce
 }  // namespace
 
 Result<Miss> explain_miss(const Renderer& renderer, const camera::Camera& camera,
-                          const ProbeSettings& settings) {
+                          const ProbeSettings& settings, const std::stop_token& stop) {
     if (Diagnostics found = check(settings); !found.empty()) {
         return found;
     }
@@ -73,7 +73,7 @@ Result<Miss> explain_miss(const Renderer& renderer, const camera::Camera& camera
     const scene::Scene& scene = probed.scene();
     const Result<rays::RayProgram> program =
         rays::compile(camera, static_cast<double>(settings.width),
-                      static_cast<double>(settings.height), {.axes = scene.axes});
+                      static_cast<double>(settings.height), {.axes = scene.axes}, stop);
     if (!program) {
         return program.diagnostics;
     }

@@ -245,7 +245,7 @@ Result<Probe> probe(const Renderer& renderer, const camera::Camera& camera,
     const ProbedScene scene(renderer);
     const Result<rays::RayProgram> program =
         rays::compile(camera, static_cast<double>(settings.width),
-                      static_cast<double>(settings.height), {.axes = scene.scene().axes});
+                      static_cast<double>(settings.height), {.axes = scene.scene().axes}, stop);
     if (!program) {
         return program.diagnostics;
     }
