@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <algorithm>
+#include <cstdint>
 
 #include <fmt/format.h>
 
@@ -29,10 +30,11 @@ bool is_consistent(const Mesh& mesh, const Scene& scene) {
 }
 
 bool is_consistent(const Material& material, const Scene& scene) {
+    constexpr std::uint8_t channels = 4;
     return std::all_of(texture_uses.begin(), texture_uses.end(), [&](const auto& member) {
         const TextureUse& use = material.*member;
-        return !use.valid() ||
-               (use.index.value() < scene.textures.size() && use.coordinates < max_coordinate_sets);
+        return !use.valid() || (use.index.value() < scene.textures.size() &&
+                                use.channel < channels && use.coordinates < max_coordinate_sets);
     });
 }
 

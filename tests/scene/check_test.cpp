@@ -40,6 +40,11 @@ TEST(SceneCheck, NamesThePartThatDoesNotFit) {
         {"mesh 0", [](Scene& s) { s.meshes[0].edit().colors.resize(1); }},
         {"mesh 0", [](Scene& s) { s.meshes[0].edit().texture_coordinates[1].resize(1); }},
         {"material 0", [](Scene& s) { s.materials[0].normal_texture.index = TextureIndex(0); }},
+        {"material 0",
+         [](Scene& s) {
+             s.textures.emplace_back();
+             s.materials[0].roughness_texture = {.index = TextureIndex(0), .channel = 4};
+         }},
         {"instance 0", [](Scene& s) { s.instances[0].mesh = {}; }},
         {"instance 0", [](Scene& s) { s.instances[0].mesh = MeshIndex(1); }},
         {"instance 0", [](Scene& s) { s.instances[0].object = 1; }},
@@ -59,7 +64,7 @@ TEST(SceneCheck, NamesThePartThatDoesNotFit) {
 
 TEST(SceneCheck, AGlbFileHasItsTexturesInIt) {
     Scene scene = triangle();
-    scene.textures.push_back({.name = "beside", .file = "beside.png"});
+    scene.textures.emplace_back().file = "beside.png";
     EXPECT_TRUE(check(scene).empty());
     EXPECT_THROW(static_cast<void>(to_glb(scene)), std::logic_error);
 }

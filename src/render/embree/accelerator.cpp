@@ -17,7 +17,6 @@
 #include "render/embree/build_monitor.hpp"
 #include "render/embree/instance_use.hpp"
 #include "render/embree/packet_setup.hpp"
-#include "render/embree/scene_check.hpp"
 #include "shading/geometry/motion_steps.hpp"
 
 namespace balcony::render::embree {
@@ -269,9 +268,6 @@ bool Accelerator::State::traceable(const Ray& ray) const {
 
 Result<Accelerator> Accelerator::build(const scene::Scene& scene, const scene::Movement& movement,
                                        const std::stop_token& stop, const PartDone& progress) {
-    if (Diagnostics broken = check(scene); !broken.empty()) {
-        return broken;
-    }
     auto state = std::make_shared<State>();
     Engine& engine = *state->engine;
     engine.device.reset(rtcNewDevice(nullptr));

@@ -25,11 +25,11 @@ namespace balcony::render::embree {
 /// finite, hits nothing and transmits all light.
 class Accelerator {
 public:
-    /// Builds the structure. An instance that Embree cannot handle (without a finite affine matrix,
-    /// or with a vertex beyond max_coordinate) is skipped with a warning that names its object; a
-    /// scene with invalid indices and a lack of memory are errors. What moves is where it stands at
-    /// the time of a ray, from 0 to 1 over the interval of the movement. A stop is an error of
-    /// Kind::interrupted.
+    /// Builds the structure of a consistent scene, as scene::check() says. An instance that Embree
+    /// cannot handle (without a finite affine matrix, or with a vertex beyond max_coordinate) is
+    /// skipped with a warning that names its object; a lack of memory is an error. What moves is
+    /// where it stands at the time of a ray, from 0 to 1 over the interval of the movement. A stop
+    /// is an error of Kind::interrupted.
     [[nodiscard]] static Result<Accelerator> build(const scene::Scene& scene,
                                                    const scene::Movement& movement = {},
                                                    const std::stop_token& stop = {},
