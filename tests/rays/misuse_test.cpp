@@ -21,7 +21,7 @@ constexpr const char* turning = R"(
         map u = -1 .. 1, v = square
         eye sphere(1 + t)
         look normal
-        time x/10
+        time = x/10
     })";
 
 std::stop_token stop_beforehand() {
