@@ -72,9 +72,9 @@ enum class SubstituteLight : std::uint8_t {
 struct LightSettings {
     /// If empty, a scene without any light gets a substitute.
     std::optional<Environment> environment{};
-    /// If empty, it is a sky where the picture shows surfaces that could see it, and otherwise a
-    /// light at the eye, or nothing beside suns. A light at the eye that is asked for takes the
-    /// place of the scene's lights, too.
+    /// If empty, it is a sky beside suns or where the picture shows surfaces that could see it, and
+    /// otherwise a light at the eye. A light at the eye that is asked for takes the place of the
+    /// scene's lights, too.
     std::optional<SubstituteLight> substitute{};
     /// A scene that is lit by nothing but directional lights gets a soft sky as well, which gives a
     /// floor a fifth of the illuminance that faces the suns: about that of a clear day.

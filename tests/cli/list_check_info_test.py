@@ -2,9 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The commands that do not render."""
 
-import base64
 import json
-import struct
 
 import support
 
@@ -110,20 +108,7 @@ class Info(support.CommandTest):
         (self.folder / "sun.gltf").write_text(json.dumps(document))
         out, _ = self.run_command("info", "sun.gltf")
         self.assertRegex(out, r"lights +1; lit by 1 lamp and a soft sky")
-        # Inside a tetrahedron, no surface sees a sky.
-        corners = [(9, 9, 9), (9, -9, -9), (-9, 9, -9), (-9, -9, 9)]
-        faces = [corners[i] for i in (0, 1, 2, 0, 3, 1, 0, 2, 3, 1, 3, 2)]
-        data = struct.pack("<36f", *(x for corner in faces for x in corner))
-        uri = "data:application/octet-stream;base64," + base64.b64encode(data).decode()
-        document["buffers"] = [{"uri": uri, "byteLength": len(data)}]
-        document["bufferViews"][0]["byteLength"] = len(data)
-        document["accessors"][0].update(count=12, min=[-9, -9, -9], max=[9, 9, 9])
-        document["cameras"] = [{"type": "perspective", "perspective": {"yfov": 1, "znear": 0.1}}]
-        document["nodes"][1]["camera"] = 0
-        document["nodes"][0]["name"] = "sky"
-        (self.folder / "closed.gltf").write_text(json.dumps(document))
-        self.assertRegex(self.run_command("info", "closed.gltf")[0], r"lights +1\n")
-        self.assertIsNone(self.json_of("info", "closed.gltf")["scene"]["default_light"])
+        self.assertIn("a soft sky", self.json_of("info", "sun.gltf")["scene"]["default_light"])
 
     def test_cameras(self):
         (self.folder / "filmed.gltf").write_text(support.gltf_text_with_cameras())

@@ -98,8 +98,7 @@ Options<LightRequest> light_options() {
                       "...), a radiance or red,green,blue, or a sky such as "
                       "sky:elevation=30,azimuth=135,turbidity=3 (degrees; azimuth clockwise from "
                       "north). Default for a scene without light: a soft sky, or in a closed room "
-                      "a light at the eye; for one with suns alone: a soft sky, unless it is "
-                      "closed",
+                      "a light at the eye; for one with suns alone: a soft sky as well",
                   .type = OptionType::file},
                  read_environment,
                  [](const LightRequest& light) {

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -75,16 +74,13 @@ float light_of_suns(const LightSet& lights, const scene::Scene& scene) {
     return lights.emissive_triangles() > 0 ? 0.0F : sum;
 }
 
-// The scene's own lights, and a soft sky beside suns.
-Lighting lit_by_itself(const TracedScene& traced, std::string own, const Settings& settings,
-                       const std::function<bool()>& sees_sky) {
+// The scene's own lights, and a soft sky beside suns: it enters by the windows that they enter by.
+Lighting lit_by_itself(const TracedScene& traced, std::string own, const Settings& settings) {
     const float suns = light_of_suns(traced.lights, *traced.scene);
     if (!settings.light.sky_beside_suns || !(suns > 0.0F)) {
         return {traced.lights.with({}, settings.light.sun_angle), std::move(own)};
     }
-    const bool has_sky =
-        settings.light.substitute ? *settings.light.substitute == SubstituteLight::sky : sees_sky();
-    if (!has_sky) {
+    if (settings.light.substitute.value_or(SubstituteLight::sky) != SubstituteLight::sky) {
         return {traced.lights.with({}, settings.light.sun_angle), std::move(own),
                 SubstituteLight::none};
     }
@@ -127,14 +123,13 @@ Lighting lighting_of(const TracedScene& traced, PictureRays& rays, const Film& f
         return {traced.lights.with(environment, settings.light.sun_angle),
                 fmt::format("{}{}{}", own, own.empty() ? "" : ", ", environment->description())};
     }
-    const auto shows_sky = [&] { return sees_sky(traced, rays, film, settings.time); };
     if (!own.empty() || !traced.scene->default_light) {
-        return lit_by_itself(traced, own.empty() ? "no light" : std::move(own), settings,
-                             shows_sky);
+        return lit_by_itself(traced, own.empty() ? "no light" : std::move(own), settings);
     }
     const SubstituteLight substitute = settings.light.substitute ? *settings.light.substitute
-                                       : shows_sky()             ? SubstituteLight::sky
-                                                                 : SubstituteLight::eye;
+                                       : sees_sky(traced, rays, film, settings.time)
+                                           ? SubstituteLight::sky
+                                           : SubstituteLight::eye;
     if (substitute == SubstituteLight::sky) {
         const Environment sky = Environment::dome();
         return {traced.lights.with(sky), sky.description(), substitute};
