@@ -79,7 +79,11 @@ struct CameraArgument {
 
 // ---------------------------------------------------------------------------------- explaining
 
-/// Why the rays of a camera meet nothing, as far as it can be known, and what may help.
+/// Whether all rays start outside the scene.
+[[nodiscard]] bool starts_outside(const render::Miss& miss);
+
+/// Why the rays of a camera meet nothing or hardly anything, as far as it can be known, and what
+/// may help.
 struct MissText {
     std::string reason;
     std::string remedy;

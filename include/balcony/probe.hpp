@@ -64,13 +64,14 @@ enum class RayChange : std::uint8_t {
     scaled,      ///< Origins multiplied by a factor that gives them about the size of the scene.
 };
 
-/// Why no ray of a camera meets anything.
+/// Why no or hardly any ray of a camera meets anything.
 struct Miss {
     /// With this change, the rays would meet so many objects.
     struct Attempt {
         RayChange change = RayChange::reversed;
         double factor = 1.0;  ///< Of RayChange::scaled.
         std::size_t objects = 0;
+        double share = 0.0;  ///< Of the rays, which meet them.
     };
 
     Imath::Box3d origins;           ///< Of the rays, in the scene's axes; empty without rays.

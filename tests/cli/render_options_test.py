@@ -155,6 +155,10 @@ class Options(support.CommandTest):
             camera millimetres { axes y_up  map u = -2000 .. 2000, v = -1000 .. 1000
                                  eye surface(u, v) = [u + 9000, v, 5000]
                                  toward surface(u, v) = [u, v, -5000]  look relative }
+            camera away { axes y_up  map u = -40 .. 40, v = square
+                          eye surface(u, v) = [u, v, 50]  look normal(back) }
+            camera small { axes y_up  map u = -40 .. 40, v = square
+                           eye surface(u, v) = [u, v, -0.5]  look normal(back) }
             picture two { layer above  layer up { place (0, 0) .. (1/2, 1/2) } }
             camera above { axes y_up  map u = -2 .. 2, v = -1 .. 1
                            eye surface(u, v) = [u, v, 5]  look normal(back) }"""
@@ -171,9 +175,11 @@ class Options(support.CommandTest):
         says("aside", "no ray of camera 'aside'", "start outside the scene, (-2, -1, -1) .. (2, 1, 0)")
         says("two", "no ray of layer 'up' meets anything", "normal(back)")
         says("millimetres", "lengths 0.001 times as large", "scale(0.001)")
-        _, err = self.run_command("render", "scene.obj", "-c", "miss.cam:above", "-o", "p.png",
-                                  "--size", "40")
-        self.assertEqual(err, "")
+        says("away", "only 0.", "% of the rays of camera 'away' meet anything: they start outside")
+        for fine in ("above", "small"):
+            _, err = self.run_command("render", "scene.obj", "-c", f"miss.cam:{fine}", "-o", "p.png",
+                                      "--size", "40")
+            self.assertEqual(err, "")
         out, _ = self.run_command("check", "miss.cam:up", "--scene", "scene.obj")
         self.assertIn("no ray meets anything: in the opposite direction", out)
         self.assertNotIn("never seen", out)

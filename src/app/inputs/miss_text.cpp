@@ -18,10 +18,6 @@ std::string point_text(const Imath::V3d& p) {
     return fmt::format("({:.4g}, {:.4g}, {:.4g})", p.x, p.y, p.z);
 }
 
-bool is_outside(const render::Miss& miss) {
-    return !miss.origins.isEmpty() && !miss.bounds.intersects(miss.origins);
-}
-
 MissText text_of(const render::Miss::Attempt& attempt, const camera::Camera& camera) {
     const std::string objects = counted(attempt.objects, "object");
     switch (attempt.change) {
@@ -29,8 +25,9 @@ MissText text_of(const render::Miss::Attempt& attempt, const camera::Camera& cam
             return {fmt::format("in the opposite direction, they would meet {}", objects),
                     camera.parts().toward
                         ? "move the direction object to the other side of the eye"
-                        : "look to the other side of the eye object: look normal(back), or "
-                          "normal(front) if it is back now"};
+                        : "it looks from within a room; for an object, take --camera every_side or "
+                          "rollout, or look to the other side of the eye object in a file of your "
+                          "own: look normal(back), or normal(front) if it is back now"};
         case render::RayChange::other_axes: {
             const bool z_up = camera.parts().axes == Axes::z_up;
             return {
@@ -50,6 +47,10 @@ MissText text_of(const render::Miss::Attempt& attempt, const camera::Camera& cam
 
 }  // namespace
 
+bool starts_outside(const render::Miss& miss) {
+    return !miss.origins.isEmpty() && !miss.bounds.intersects(miss.origins);
+}
+
 MissText miss_text(const render::Miss& miss, const camera::Camera& camera) {
     const auto best =
         std::max_element(miss.attempts.begin(), miss.attempts.end(),
@@ -59,10 +60,11 @@ MissText miss_text(const render::Miss& miss, const camera::Camera& camera) {
     }
     const std::string scene = fmt::format("the scene, {} .. {}", point_text(miss.bounds.min),
                                           point_text(miss.bounds.max));
-    if (is_outside(miss)) {
+    if (starts_outside(miss)) {
         return {fmt::format("they start outside {}, near {}, and pass it", scene,
                             point_text(0.5 * (miss.origins.min + miss.origins.max))),
-                "move the camera, or turn it towards the scene"};
+                "move the camera, turn it towards the scene, or let the scene place it: --fit, if "
+                "its file has a fit statement"};
     }
     return {fmt::format("they start within {}, but no object is in their way", scene),
             "turn the camera, or move it"};

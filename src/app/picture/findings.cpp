@@ -64,18 +64,34 @@ void describe_motion(Report& report, const render::Summary& summary) {
     }
 }
 
-// Why no ray of a layer meets anything.
+// Why no ray of a layer meets anything, or hardly any where others would or none starts in the
+// scene.
 void describe_miss(Report& report, const Loaded& loaded, const camera::ShownCamera& shown,
                    std::size_t index, std::pair<std::size_t, std::size_t> size) {
+    constexpr double many = 10.0;  // So many times as many rays are worth a word.
     const render::Summary& summary = report.summary;
-    const Result<render::Miss> miss = render::explain_miss(
+    const render::Summary::Layer& layer = summary.layers[index];
+    const double share = static_cast<double>(layer.hits) /
+                         static_cast<double>(layer.camera_rays - layer.invalid_rays);
+    Result<render::Miss> miss = render::explain_miss(
         *loaded.renderer, shown.camera,
         {.width = size.first, .height = size.second, .time = loaded.settings.time});
-    report.misses.push_back({index, miss.value});
+    if (miss) {
+        std::erase_if(miss->attempts,
+                      [&](const auto& attempt) { return attempt.share < many * share; });
+    }
+    if (layer.hits == 0) {
+        report.misses.push_back({index, miss.value});
+    } else if (!miss || (miss->attempts.empty() && !starts_outside(*miss))) {
+        return;
+    }
     const MissText text = miss ? miss_text(*miss, shown.camera) : MissText{};
     report.diagnostics.push_back(warning(
-        fmt::format("no ray of {} meets anything{}{}", name_of(summary.layers[index], summary),
-                    text.reason.empty() ? "" : ": ", text.reason),
+        fmt::format(
+            "{} of {} meet{} anything{}{}",
+            layer.hits == 0 ? "no ray" : fmt::format("only {:.2g} % of the rays", 100.0 * share),
+            name_of(layer, summary), layer.hits == 0 ? "s" : "", text.reason.empty() ? "" : ": ",
+            text.reason),
         {}, text.remedy));
 }
 
@@ -124,6 +140,7 @@ void describe(Report& report, const Loaded& loaded, const camera::Picture& pictu
 void describe_sight(Report& report, const Loaded& loaded, const camera::Picture& picture,
                     std::pair<std::size_t, std::size_t> size, const std::stop_token& stop) {
     constexpr double rays = 64.0 * 64.0;
+    constexpr double few = 0.02;  // The share of rays that meet something, if hardly any does.
     const double step = std::sqrt(static_cast<double>(size.first * size.second) / rays);
     const render::ProbeSettings settings{.width = size.first,
                                          .height = size.second,
@@ -138,7 +155,8 @@ void describe_sight(Report& report, const Loaded& loaded, const camera::Picture&
             if (layer.camera_rays == layer.invalid_rays) {
                 continue;
             }
-            if (layer.hits == 0) {
+            if (static_cast<double>(layer.hits) <
+                few * static_cast<double>(layer.camera_rays - layer.invalid_rays)) {
                 describe_miss(report, loaded, shown, use.index, size);
             }
             if (probe) {

@@ -48,8 +48,11 @@ double max_coordinate(const Imath::Box3d& box) {
     return largest;
 }
 
-std::size_t count_objects(const std::vector<Line>& lines, const ProbedScene& scene) {
+// What these rays would meet.
+Miss::Attempt attempt_of(RayChange change, double factor, const std::vector<Line>& lines,
+                         const ProbedScene& scene) {
     std::vector<bool> met(scene.scene().objects.size());
+    std::size_t hits = 0;
     for (const Line& line : lines) {
         if (!embree::in_range(line.origin)) {
             continue;
@@ -57,9 +60,12 @@ std::size_t count_objects(const std::vector<Line>& lines, const ProbedScene& sce
         const embree::Hit hit = scene.nearest(scene.ray(V3f(line.origin), V3f(line.direction)));
         if (hit.any()) {
             met[scene.object(hit)] = true;
+            ++hits;
         }
     }
-    return static_cast<std::size_t>(std::count(met.begin(), met.end(), true));
+    return {
+        change, factor, static_cast<std::size_t>(std::count(met.begin(), met.end(), true)),
+        static_cast<double>(hits) / static_cast<double>(std::max<std::size_t>(lines.size(), 1))};
 }
 
 }  // namespace
@@ -89,8 +95,9 @@ Result<Miss> explain_miss(const Renderer& renderer, const camera::Camera& camera
         std::vector<Line> others;
         others.reserve(lines.size());
         std::transform(lines.begin(), lines.end(), std::back_inserter(others), changed);
-        if (const std::size_t objects = count_objects(others, probed); objects > 0) {
-            miss.attempts.push_back({change, factor, objects});
+        const Miss::Attempt made = attempt_of(change, factor, others, probed);
+        if (made.objects > 0) {
+            miss.attempts.push_back(made);
         }
     };
     attempt(RayChange::reversed, 1.0, [](const Line& line) {
