@@ -53,6 +53,7 @@ struct FittedParameter {
     std::string name;
     std::optional<double> value;  ///< Of a constant number; angles in radians.
     bool is_angle = false;
+    bool follows_place = false;  ///< By scene_inside: where one stands decides it.
 };
 
 /// The declaration of a camera or a picture in a file.

@@ -141,6 +141,13 @@ class Fit(support.CommandTest):
                      says="has no cameras")
         self.refused("render", "tiles.obj", "--from", "1,2,3", code=2, says="--from needs a camera")
 
+    def test_a_place_that_decides_nothing_is_answered(self):
+        for camera, unused in (("superelliptic", True), ("orthographic", True),
+                               ("panorama", False), ("cave", False), ("walkthrough", False)):
+            _, err = self.run_command("render", "tiles.obj", "-c", camera, "--from", "0,1.5,0",
+                                      "--size", "16x8", "-s", "1", "-o", "out.png")
+            self.assertEqual("--from has no effect" in err, unused, f"{camera}: {err}")
+
     def test_a_camera_of_the_scene_gives_its_place_and_its_look(self):
         # Rolled by 20 degrees, off level and off the axes.
         turn = [0.2, 0.3, 0.1]

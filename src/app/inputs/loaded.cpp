@@ -147,6 +147,8 @@ private:
         Result<camera::Picture> picture =
             load_picture(request_.camera, request_.set, loaded_.cameras);
         add(picture.diagnostics, found);
+        add(picture.diagnostics,
+            warn_of_unused_place(request_.placement, loaded_.cameras.fitted()));
         if (picture && request_.placement.is_demanded() && loaded_.cameras.fitted().empty()) {
             return error(
                 "the camera has no fit statement, so --fit cannot place it", {},

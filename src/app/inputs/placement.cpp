@@ -3,6 +3,7 @@
 
 #include "app/inputs/placement.hpp"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -10,6 +11,7 @@
 
 #include "app/inputs/standpoint.hpp"
 #include "balcony/inputs.hpp"
+#include "balcony/names.hpp"
 #include "balcony/probe.hpp"
 
 namespace balcony::app {
@@ -49,6 +51,20 @@ Diagnostics fit_cameras(lang::Workspace& cameras, const Placement& placement,
     measures.angle = stand->angle;
     cameras.fit_to(std::move(measures));
     return extent.diagnostics;
+}
+
+Diagnostics warn_of_unused_place(const Placement& placement,
+                                 const std::vector<lang::FittedParameter>& fitted) {
+    const bool is_used =
+        std::any_of(fitted.begin(), fitted.end(),
+                    [](const lang::FittedParameter& parameter) { return parameter.follows_place; });
+    return !placement.from || is_used || fitted.empty()
+               ? Diagnostics{}
+               : Diagnostics{warning(
+                     fmt::format("--from has no effect: the size of the scene decides where the "
+                                 "camera '{}' is",
+                                 printable(fitted.front().camera)),
+                     {}, "move it by its own parameters, such as --set px=1")};
 }
 
 Diagnostics check_placement(const Placement& placement, bool has_scene) {

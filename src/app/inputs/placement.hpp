@@ -3,6 +3,7 @@
 #pragma once
 
 #include <stop_token>
+#include <vector>
 
 #include "balcony/lang.hpp"
 #include "balcony/render.hpp"
@@ -16,6 +17,10 @@ namespace balcony::app {
 [[nodiscard]] Diagnostics fit_cameras(lang::Workspace& cameras, const Placement& placement,
                                       const scene::Scene& scene, const render::Renderer& renderer,
                                       const std::stop_token& stop);
+
+/// Warns of a demanded place that decides nothing about cameras with these fitted parameters.
+[[nodiscard]] Diagnostics warn_of_unused_place(const Placement& placement,
+                                               const std::vector<lang::FittedParameter>& fitted);
 
 /// Errors of usage: a demand without a scene, or two that contradict each other.
 [[nodiscard]] Diagnostics check_placement(const Placement& placement, bool has_scene);

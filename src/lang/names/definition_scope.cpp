@@ -131,7 +131,7 @@ void DefinitionScope::define_parameter(const DefinitionParameter& parameter) {
         value = checked(given->second->value, given->second->value_place, value, name);
     }
     if (session_.scene() && fitted_.contains(name)) {
-        session_.note_fitted(place_.camera->name.text, name, value);
+        session_.note_fitted(place_.camera->name.text, name, value, fitted_.follows_place(name));
     }
     if (open_.contains(name)) {
         value = opened(value, name);

@@ -4,6 +4,7 @@
 #include "lang/names/fitted_parameters.hpp"
 
 #include <algorithm>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -87,6 +88,19 @@ std::optional<double> FittedParameters::look_of(std::string_view name) const {
            : name == "pitch" ? std::optional(look.pitch)
            : name == "roll"  ? std::optional(look.roll)
                              : std::nullopt;
+}
+
+bool FittedParameters::follows_place(std::string_view name) const {
+    const auto found = entries_.find(name);
+    if (found == entries_.end()) {
+        return look_of(name).has_value();
+    }
+    const ExpressionId value = found->second.assignment->value;
+    const std::size_t first = tree_[value].first.value();
+    const auto nodes = std::span(tree_.expressions).subspan(first, value.value() + 1 - first);
+    return std::any_of(nodes.begin(), nodes.end(), [](const Expression& node) {
+        return node.kind == ExpressionKind::name && node.name.text == "scene_inside";
+    });
 }
 
 std::optional<FittedParameters::Fitted> FittedParameters::find(std::string_view name) {

@@ -29,6 +29,8 @@ public:
     [[nodiscard]] bool contains(std::string_view name) const {
         return entries_.contains(name) || look_of(name);
     }
+    /// Whether a parameter that is fitted follows from where one stands in the scene.
+    [[nodiscard]] bool follows_place(std::string_view name) const;
 
 private:
     struct Entry {

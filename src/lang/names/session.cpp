@@ -103,12 +103,14 @@ Session::Session(Files& files, std::optional<SceneMeasures> scene, std::stop_tok
     announce_scene_names(*constants_);
 }
 
-void Session::note_fitted(std::string_view camera, std::string_view parameter, const Value& value) {
+void Session::note_fitted(std::string_view camera, std::string_view parameter, const Value& value,
+                          bool follows_place) {
     std::optional<double> number;
     if (value.is_constant()) {
         number = value.constant();
     }
-    fitted_.push_back({std::string(camera), std::string(parameter), number, value.is_angle()});
+    fitted_.push_back(
+        {std::string(camera), std::string(parameter), number, value.is_angle(), follows_place});
 }
 
 const SyntaxTree& Session::keep(SyntaxTree tree) {

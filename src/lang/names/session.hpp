@@ -65,7 +65,8 @@ public:
 
     /// The scene that cameras are fitted to.
     [[nodiscard]] const std::optional<SceneMeasures>& scene() const { return scene_; }
-    void note_fitted(std::string_view camera, std::string_view parameter, const Value& value);
+    void note_fitted(std::string_view camera, std::string_view parameter, const Value& value,
+                     bool follows_place);
     /// The parameters that were fitted.
     [[nodiscard]] const std::vector<FittedParameter>& fitted() const { return fitted_; }
 
