@@ -41,7 +41,8 @@ class Help(support.CommandTest):
         for command in ("render", "animate"):
             text, _ = self.run_command(command, "--help")
             self.assertLessEqual(len(text.splitlines()), 100)
-            self.assertIn("--help all shows all options", text)
+            self.assertIn("\n\n--help all shows all options.\n\n", text)
+            self.assertNotIn("\n\n\n", text)
             self.assertNotIn("--no-dither", text)
             for words in ((command, "--help", "all"), (command, "-h", "all"),
                           ("help", command, "all")):

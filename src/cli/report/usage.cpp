@@ -70,7 +70,7 @@ public:
                            std::vector<const CLI::Option*> options) const override {
         return whole_ || group != more_options
                    ? Formatter::make_group(std::move(group), is_positional, std::move(options))
-                   : "\n--help all shows all options.\n";
+                   : "--help all shows all options.\n";
     }
 
     std::string make_usage(const CLI::App* app, std::string name) const override {
