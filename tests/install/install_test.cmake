@@ -70,6 +70,7 @@ foreach(expected IN ITEMS "3 frames, 0 of an earlier run" "0 frames, 3 of an ear
         RESULT_VARIABLE result OUTPUT_VARIABLE said ERROR_VARIABLE said)
     if(NOT result EQUAL 0 OR NOT said MATCHES "64 x 32 pixels of panorama" OR
        NOT said MATCHES "the point is at \\([0-9.]+, [0-9.]+\\)" OR
+       NOT said MATCHES "fov 2: " OR NOT said MATCHES "yaw 1: " OR
        NOT said MATCHES "${expected}" OR NOT EXISTS "${render}/picture.exr" OR
        NOT EXISTS "${render}/turn.03.exr")
         message(FATAL_ERROR "render (${result}) says:\n${said}")

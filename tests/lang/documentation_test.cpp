@@ -70,7 +70,7 @@ TEST(Documentation, ListingsOfCppAreTheExamples) {
         EXPECT_NE(programs.find(snippet), std::string::npos) << snippet;
         ++count;
     }
-    EXPECT_EQ(count, 7U);
+    EXPECT_EQ(count, 9U);
     EXPECT_NE(page.find(rays.substr(rays.find("#include"))), std::string::npos);
     EXPECT_NE(page.find(test::read_file(root / "examples/rays/CMakeLists.txt")), std::string::npos);
 }
