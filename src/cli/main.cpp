@@ -49,7 +49,7 @@ void describe(CLI::App& app, bool whole_help) {
         "First steps:\n"
         "  balcony info scene.glb                         describe a scene\n"
         "  balcony render scene.glb -o picture.png        render it\n"
-        "  balcony render scene.glb --camera superelliptic -o walls.png\n"
+        "  balcony render scene.glb --camera panorama -o all_round.png\n"
         "  balcony list cameras                           list the built-in cameras\n"
         "\n"
         "Exit codes: 0 success, 1 bad input, 2 wrong usage, 3 environment (disk full,\n"

@@ -33,12 +33,9 @@ class Documentation(support.CommandTest):
         (self.folder / "out" / "scenes").mkdir(parents=True)
         (self.folder / "pictures").mkdir()
         (self.folder / "out" / "scenes" / "gallery.glb").write_bytes(support.glb_bytes())
-        for name in ("docs", "plates"):
+        for name in ("docs", "plates", "examples"):
             (self.folder / name).symlink_to(support.REPOSITORY / name)
-        # FILE without a NAME means the last camera, so the picture comes first.
-        poster = "picture poster { layer above layer closeup { place (0, 0) .. (1/2, 1/2) } }\n"
-        for name in ("gallery", "room", "my"):
-            (self.folder / f"{name}.cam").write_text(poster + support.CAMERAS)
+        shutil.copy(support.REPOSITORY / "examples" / "my.cam", self.folder)
         (self.folder / "filmed.gltf").write_text(support.gltf_text_with_cameras())
         self.run_command("render", "scene.glb", "--size", "16x8", "-s", "1", "-o", "photo.png")
         (self.folder / "corners.csv").write_text("1,2,3\n-1,0,0.5\n")

@@ -6,6 +6,7 @@ import base64
 import json
 import struct
 
+import elsewhere
 import support
 
 
@@ -104,6 +105,8 @@ class Light(support.CommandTest):
         facts = self.facts(scene="sunny.gltf")
         self.assertEqual("1 lamp and a soft sky, as the scene has a sun and no sky", facts["light"])
         self.assertIn("soft sky", self.run_command("info", "sunny.gltf")[0])
+        elsewhere.write(self.folder)
+        self.assertIn("a soft sky", self.facts("--camera", "panorama", scene="attic.glb")["light"])
         facts = self.facts("--ambient", "0", scene="sunny.gltf")
         self.assertIn("1 lamp, a constant environment", facts["light"])
 

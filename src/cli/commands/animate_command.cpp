@@ -49,8 +49,8 @@ void add_animate_command(CLI::App& app, ExitCode& code) {
         command.footer(
             "Examples:\n"
             "  balcony animate room.glb --turntable --frames 1-120 -o room.mp4\n"
-            "  balcony animate room.glb --camera my.cam --frames 1-240 -o 'room.####.exr'\n"
-            "  balcony animate room.glb --camera my.cam --frames 1-48 --shutter 180deg -o "
+            "  balcony animate room.glb -c my.cam --fit --frames 1-240 -o 'room.####.exr'\n"
+            "  balcony animate room.glb -c my.cam --fit --frames 1-48 --shutter 180deg -o "
             "room.webm\n"
             "  balcony animate room.glb --frames 1-48 --shard 3/4 -o room.mp4\n"
             "\n"

@@ -178,9 +178,9 @@ void add_check_command(CLI::App& app, ExitCode& code) {
         command.add(std::move(all), options);
         command.footer(
             "Examples:\n"
-            "  balcony check gallery.cam room.cam\n"
-            "  balcony check gallery.cam:closeup --scene gallery.glb --strict\n"
-            "  balcony check gallery.cam:poster --layer 2 --map anisotropy inset.png\n"
+            "  balcony check my.cam\n"
+            "  balcony check my.cam:closeup --scene room.glb --fit --strict\n"
+            "  balcony check my.cam:poster --layer 2 --map anisotropy inset.png\n"
             "  balcony check superelliptic --set gamma=1/2 --map magnification size.png");
     };
     add_command<CheckOptions>(app, code, "check",

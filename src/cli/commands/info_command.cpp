@@ -195,7 +195,7 @@ void add_info_command(CLI::App& app, ExitCode& code) {
                    true, &InfoOptions::objects),
               json_flag(&InfoOptions::manner, "print the facts and all objects as JSON")}},
             options);
-        command.footer("Example:\n  balcony info gallery.glb --objects");
+        command.footer("Example:\n  balcony info room.glb --objects");
     };
     add_command<InfoOptions>(app, code, "info", "describes a scene file", info, describe);
 }

@@ -447,7 +447,7 @@ void add_list_command(CLI::App& app, ExitCode& code) {
             "  balcony list dome              those of a family\n"
             "  balcony list panorama          one of them with its parameters\n"
             "  balcony list --search \"flatten a room\"\n"
-            "  balcony list gallery.cam       the cameras of a file");
+            "  balcony list my.cam            the cameras of a file");
     };
     add_command<ListOptions>(app, code, "list", "lists stages and cameras", list, describe);
 }

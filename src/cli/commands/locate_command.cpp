@@ -228,7 +228,7 @@ void add_locate_command(CLI::App& app, ExitCode& code) {
             "Examples:\n"
             "  balcony locate panorama --point 3,2,0.5\n"
             "  balcony locate pinhole --set fov=90deg --size 1920x1080 --axes y_up --point 1,0,-4\n"
-            "  balcony locate my.cam:closeup --scene room.glb --point 0,0.5,-1\n"
+            "  balcony locate my.cam:closeup --scene room.glb --fit --point 0,0.5,-1\n"
             "  balcony locate my.cam:closeup --points corners.csv --json");
     };
     add_command<LocateOptions>(app, code, "locate",
