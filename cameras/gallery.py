@@ -10,6 +10,7 @@ render of its picture of a scene needs, as cameras/gallery.txt has it. To be run
 repository.
 """
 
+import itertools
 import json
 import subprocess
 import sys
@@ -41,6 +42,7 @@ HEADINGS = {
     "art": "Art", "paper": "The paper's own",
 }
 SCENES = ("room", "street")
+WIDTH = 420  # Of a picture on the page: two are side by side.
 
 
 def built_in(balcony):
@@ -53,7 +55,7 @@ def built_in(balcony):
 
 def extra_options(name, family, scene):
     """The options of the rows NAME and NAME@SCENE of cameras/gallery.txt; maps are small."""
-    options = ["--scale 14%"] if family == "maps" else []
+    options = ["--scale 28%"] if family == "maps" else []
     for line in Path("cameras/gallery.txt").read_text(encoding="utf-8").splitlines():
         row, _, rest = line.partition(" ")
         if row in (name, f"{name}@{scene}"):
@@ -71,23 +73,42 @@ def use_of(camera):
     return sentence[:sentence.find(". ") + 1] or sentence
 
 
+def picture(camera, scene):
+    name = camera["name"]
+    return (f'<img src="pictures/gallery/{name}-{scene}.webp" width="{WIDTH}" '
+            f'alt="{name} in the {scene}">')
+
+
+def link(camera):
+    file = f"{camera['name']}.cam"
+    return f"[{file}](../cameras/{camera['family']}/{file})"
+
+
 def section(camera):
-    name, file = camera["name"], Path("cameras") / camera["family"] / f"{camera['name']}.cam"
-    pictures = " ".join(f"![{name} in the {scene}](pictures/gallery/{name}-{scene}.webp)"
-                        for scene in scenes_of(camera["family"]))
-    text = textwrap.fill(use_of(camera), width=100, break_long_words=False, break_on_hyphens=False)
-    return [f"### {name}", "", text, "", pictures, "",
-            f"<details><summary>{file.name}</summary>", "",
-            "```cam", file.read_text(encoding="utf-8").rstrip(), "```", "", "</details>", ""]
+    """A heading, and what the camera sees in both scenes, side by side."""
+    text = f"{use_of(camera)} {link(camera)}"
+    pictures = " ".join(picture(camera, scene) for scene in scenes_of(camera["family"]))
+    return [f"### {camera['name']}", "",
+            textwrap.fill(text, width=100, break_long_words=False, break_on_hyphens=False), "",
+            pictures, ""]
+
+
+def maps(cameras):
+    """What many cameras see in one scene, folded: two side by side, each with its use below."""
+    lines = [f"<details><summary>{len(cameras)} projections</summary>", "", "| | |", "|---|---|"]
+    for i in range(0, len(cameras), 2):
+        cells = [f"{picture(camera, SCENES[0])}<br>**{camera['name']}** {use_of(camera)} {link(camera)}"
+                 for camera in cameras[i:i + 2]]
+        lines.append(f"| {' | '.join(cells + [''] * (2 - len(cells)))} |")
+    return [*lines, "", "</details>", ""]
 
 
 def page(balcony):
-    lines, family = [INTRODUCTION], None
-    for camera in built_in(balcony):
-        if camera["family"] != family:
-            family = camera["family"]
-            lines += [f"## {HEADINGS[family]}", ""]
-        lines += section(camera)
+    lines = [INTRODUCTION]
+    for family, cameras in itertools.groupby(built_in(balcony), lambda camera: camera["family"]):
+        cameras = list(cameras)
+        lines += [f"## {HEADINGS[family]}", ""]
+        lines += maps(cameras) if family == "maps" else itertools.chain(*map(section, cameras))
     return "\n".join(lines).rstrip() + "\n"
 
 

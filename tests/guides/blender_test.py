@@ -34,7 +34,7 @@ class BlenderGuide(guide.GuideTest):
 
     def test_the_export_is_complete(self):
         info = self.output_of("balcony info room.glb")
-        self.assertIn("10 objects", info)
+        self.assertIn("16 objects", info)
         self.assertRegex(info, r"lights +1")
         self.assertIn("through 'Camera'", self.output_of("balcony render room.glb -o first.png"))
         self.assertEqual((self.folder / "first.png").read_bytes(),
