@@ -69,8 +69,8 @@ class Planted(unittest.TestCase):
 
     def test_finds_a_private_header_in_a_test_of_another_layer(self):
         self.plant("src/base/planted.hpp", "")
-        self.assert_found(architecture, "tests/scene/planted.cpp", '#include "base/planted.hpp"\n',
-                          "tests/scene/planted.cpp", "the private headers of base are its own")
+        self.assert_found(architecture, "tests/lang/planted.cpp", '#include "base/planted.hpp"\n',
+                          "tests/lang/planted.cpp", "the private headers of base are its own")
 
     def test_allows_a_private_header_in_a_test_of_its_layer(self):
         self.plant("src/base/planted.hpp", "")
