@@ -86,7 +86,8 @@ struct Report {
     bool is_exposure_chosen = false;  ///< By the picture.
     render::Color3f ambient{0.0F};    ///< As Film::ambient.
     std::optional<render::DenoiseSummary> denoised{};
-    double load_seconds = 0.0;  ///< To read the scene.
+    double load_seconds = 0.0;    ///< To read the scene.
+    float emission_scale = 1.0F;  ///< As Scene::emission_scale.
     render::Renderer::Preparation preparation{};
     std::vector<lang::FittedParameter> fitted{};
     bool in_bands = false;

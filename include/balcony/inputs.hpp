@@ -75,7 +75,8 @@ struct CameraArgument {
 [[nodiscard]] Result<scene::Scene> load_scene(const std::string& name, double time = 0.0,
                                               const std::vector<std::string>& added = {},
                                               const PartDone& progress = {},
-                                              const std::stop_token& stop = {});
+                                              const std::stop_token& stop = {},
+                                              scene::LoadOptions options = {});
 
 // ---------------------------------------------------------------------------------- explaining
 

@@ -63,8 +63,9 @@ struct LightRequest {
     std::variant<std::monostate, std::filesystem::path, Imath::Color3f, render::Sky> environment{};
     double rotation = 0.0;  ///< Of the environment, in radians, as Environment::rotated().
     float strength = 1.0F;  ///< The factor of its radiance.
-    std::optional<double> sun_angle{};  ///< As LightSettings::sun_angle.
-    std::vector<scene::Light> lamps{};  ///< They join the scene, in its axes.
+    std::optional<double> sun_angle{};      ///< As LightSettings::sun_angle.
+    std::optional<float> emission_scale{};  ///< As scene::LoadOptions::emission_scale.
+    std::vector<scene::Light> lamps{};      ///< They join the scene, in its axes.
     /// A light at the eye in place of the lights of the scene and a sky.
     bool lamp_at_eye = false;
 };

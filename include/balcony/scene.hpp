@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <stop_token>
 #include <string>
@@ -264,6 +265,8 @@ struct Motion;
 struct Scene {
     std::string name;    ///< The file it came from, for messages.
     std::string format;  ///< "glTF 2.0 binary", "Wavefront OBJ", ...
+    /// The factor of load() for the emission of materials: see LoadOptions.
+    float emission_scale = 1.0F;
     Axes axes = Axes::y_up;
     double meters_per_unit = 1.0;  ///< According to the format; 1 if unspecified.
     std::vector<Shared<Mesh>> meshes;
@@ -288,15 +291,20 @@ struct Scene {
 /// The extensions of the files that load() reads: ".glb", ...
 [[nodiscard]] std::span<const std::string_view> file_extensions();
 
+struct LoadOptions {
+    /// The file joins another scene, so lights or cameras alone are enough.
+    bool is_addition = false;
+    /// The factor for the emission of materials, from 0 to max_quantity; 1 is as written. If empty,
+    /// it is 683 in a glTF file with lights and emission that Blender 3.4 or later has exported,
+    /// and 1 in others: its exporter multiplies lights by 683 lm/W, but not emission.
+    std::optional<float> emission_scale{};
+};
+
 /// Reads a scene file (.glb, .gltf, .obj, .ply, .stl). A part that cannot be used (a missing
 /// texture, a vertex that is not finite) is skipped or replaced with a warning that names it; an
 /// error means that there is nothing to render. A stop is an error of Kind::interrupted.
 [[nodiscard]] Result<Scene> load(const std::filesystem::path& file, const PartDone& progress = {},
-                                 const std::stop_token& stop = {});
-/// The same of a file that joins another scene: lights or cameras alone are enough.
-[[nodiscard]] Result<Scene> load_addition(const std::filesystem::path& file,
-                                          const PartDone& progress = {},
-                                          const std::stop_token& stop = {});
+                                 const std::stop_token& stop = {}, const LoadOptions& options = {});
 /// The same from the bytes of a file; its name determines the format, and the folder of other files
 /// that it names.
 [[nodiscard]] Result<Scene> load(const std::filesystem::path& name,
@@ -308,7 +316,8 @@ struct Scene {
 [[nodiscard]] Diagnostics check(const Scene& scene);
 
 /// Adds all that another scene has, with its motion, turned to the axes of the first. Objects keep
-/// their names, which may then be the same.
+/// their names, which may then be the same. The emission scale is that of the scene, unless that is
+/// 1.
 void add_scene(Scene& scene, Scene added);
 
 /// The bytes of a binary glTF 2.0 file (GLB) with the scene: one node per instance (named

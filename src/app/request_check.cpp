@@ -20,6 +20,9 @@ namespace {
 
 bool is_positive(double value) { return value > 0.0; }
 bool is_finite(double value) { return std::isfinite(value); }
+bool is_factor(float value) {
+    return 0.0F <= value && value <= static_cast<float>(scene::max_quantity);
+}
 bool is_frame(std::size_t number) { return number <= max_frame; }
 bool is_side(std::size_t pixels) { return 1 <= pixels && pixels <= max_side; }
 bool is_shard(const render::Shard& shard) {
@@ -54,15 +57,16 @@ Diagnostics broken(const Ranges& ranges) {
 
 Diagnostics out_of_range(const Request& request) {
     const JobRequest& job = request.job;
+    const LightRequest& light = request.light;
     Diagnostics found = check_size(request.size);
     const Diagnostics more =
         broken({{"Request::crop.scale", is_scale(request.crop.scale)},
                 {"Request::crop.corners", holds_if_any(request.crop.corners, are_corners)},
                 {"Request::samples", request.samples != 0U},
                 {"Request::settings.time", is_finite(request.settings.time)},
-                {"Request::light.rotation", is_finite(request.light.rotation)},
-                {"Request::light.strength",
-                 is_finite(request.light.strength) && request.light.strength >= 0.0F},
+                {"Request::light.rotation", is_finite(light.rotation)},
+                {"Request::light.strength", is_finite(light.strength) && light.strength >= 0.0F},
+                {"Request::light.emission_scale", holds_if_any(light.emission_scale, is_factor)},
                 {"Request::shutter.duration",
                  is_finite(request.shutter.duration) && request.shutter.duration >= 0.0},
                 {"Request::shutter.rate", is_rate(request.shutter.rate)},

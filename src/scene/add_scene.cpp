@@ -119,6 +119,8 @@ void add_scene(Scene& scene, Scene added) {
     append(scene.cameras, std::move(added.cameras));
     append(scene.files, std::move(added.files));
     scene.default_light = scene.default_light && added.default_light;
+    scene.emission_scale =
+        scene.emission_scale == 1.0F ? added.emission_scale : scene.emission_scale;
 }
 
 }  // namespace balcony::scene

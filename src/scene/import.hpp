@@ -41,9 +41,9 @@ struct MeshFault {
 /// A scene under construction, with its diagnostics.
 struct Import {
     std::filesystem::path file;
-    std::optional<std::span<const std::uint8_t>>
-        given;                 ///< The bytes of the file, if given in memory.
-    bool is_addition = false;  ///< It joins another scene, so it needs no triangles.
+    /// The bytes of the file, if given in memory.
+    std::optional<std::span<const std::uint8_t>> given;
+    LoadOptions options;
     std::stop_token stop;
     PartDone progress;
     Scene scene;
@@ -52,6 +52,7 @@ struct Import {
     std::size_t triangles_without_area = 0;  ///< Skipped.
     std::size_t coincident_triangles = 0;    ///< Skipped.
     std::vector<MeshFault> mesh_faults;      ///< One for each `what`.
+    bool is_of_blender = false;              ///< Its lights are in lm/W times Blender's watts.
 
     static constexpr std::size_t max_warnings = 50;
 

@@ -25,6 +25,9 @@ struct Format {
     void (*read)(Import&);
 };
 
+// As Blender's exporter counts: the luminous efficacy of green light.
+constexpr float lumens_per_watt = 683.0F;
+
 constexpr std::array scene_formats{Format{".glb", read_gltf}, Format{".gltf", read_gltf},
                                    Format{".obj", read_obj}, Format{".ply", read_ply},
                                    Format{".stl", read_stl}};
@@ -57,12 +60,25 @@ void refuse_what_is_no_file(const Import& import) {
     }
 }
 
-bool lights_itself(const Scene& scene) {
-    return !scene.lights.empty() ||
-           std::any_of(scene.materials.begin(), scene.materials.end(),
-                       [](const Material& material) {
-                           return material.emission != Color3f(0.0F, 0.0F, 0.0F);
-                       });
+bool has_emission(const Scene& scene) {
+    return std::any_of(
+        scene.materials.begin(), scene.materials.end(),
+        [](const Material& material) { return material.emission != Color3f(0.0F, 0.0F, 0.0F); });
+}
+
+// Brings emission to the units of the lights.
+void scale_emission(Import& import) {
+    Scene& scene = import.scene;
+    const float of_lights = import.is_of_blender && !scene.lights.empty() && has_emission(scene)
+                                ? lumens_per_watt
+                                : 1.0F;
+    scene.emission_scale = import.options.emission_scale.value_or(of_lights);
+    for (Material& material : scene.materials) {
+        for (float* const part :
+             {&material.emission.x, &material.emission.y, &material.emission.z}) {
+            *part = std::min(*part * scene.emission_scale, static_cast<float>(max_quantity));
+        }
+    }
 }
 
 // What is wrong with meshes, once for the whole file.
@@ -105,12 +121,13 @@ void read(Import& import) {
             fmt::format("{} more like these", counted(import.further_warnings, "warning"))));
     }
     const bool adds_something = !import.scene.lights.empty() || !import.scene.cameras.empty();
-    if (import.scene.instances.empty() && !(import.is_addition && adds_something)) {
+    if (import.scene.instances.empty() && !(import.options.is_addition && adds_something)) {
         throw ReadError{error(
             fmt::format("nothing to render in {}: it has no triangles", in_quotes(file.string())),
             {}, "check that it is the right file; points and lines are not rendered")};
     }
-    import.scene.default_light = !lights_itself(import.scene);
+    scale_emission(import);
+    import.scene.default_light = import.scene.lights.empty() && !has_emission(import.scene);
 }
 
 Result<Scene> load(Import import) {
@@ -151,19 +168,11 @@ std::span<const std::string_view> file_extensions() {
     return extensions;
 }
 
-Result<Scene> load(const fs::path& file, const PartDone& progress, const std::stop_token& stop) {
+Result<Scene> load(const fs::path& file, const PartDone& progress, const std::stop_token& stop,
+                   const LoadOptions& options) {
     Import import;
     import.file = file;
-    import.stop = stop;
-    import.progress = progress;
-    return load(std::move(import));
-}
-
-Result<Scene> load_addition(const fs::path& file, const PartDone& progress,
-                            const std::stop_token& stop) {
-    Import import;
-    import.file = file;
-    import.is_addition = true;
+    import.options = options;
     import.stop = stop;
     import.progress = progress;
     return load(std::move(import));

@@ -52,6 +52,7 @@ const std::map<std::string, std::pair<std::string, std::string>>& examples() {
         {"--environment-rotation", {"90deg", "90"}},
         {"--environment-strength", {"2", ""}},
         {"--sun-angle", {"45", ""}},
+        {"--emission-scale", {"683", ""}},
         {"--exposure", {"-1.5", ""}},
         {"--view-transform", {"filmic", ""}},
         {"--ambient", {"0.5", ""}},

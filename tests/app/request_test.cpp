@@ -44,6 +44,7 @@ TEST(RequestValues, OutOfRangeAreNamedBeforeAnythingIsRead) {
         {"Request::settings.time", [](Request& r) { r.settings.time = nan; }},
         {"Request::light.rotation", [](Request& r) { r.light.rotation = nan; }},
         {"Request::light.strength", [](Request& r) { r.light.strength = -1.0F; }},
+        {"Request::light.emission_scale", [](Request& r) { r.light.emission_scale = -1.0F; }},
         {"Request::shutter.duration", [](Request& r) { r.shutter.duration = -1.0; }},
         {"Request::shutter.rate", [](Request& r) { r.shutter.rate.frames = 0.0; }},
         {"Request::stereo.formats", [](Request& r) { r.stereo.formats.resize(3); }},

@@ -51,6 +51,7 @@ class Light(support.CommandTest):
     def test_numbers_out_of_range(self):
         self.refuses("--environment-rotation", "nan", "inf", "left", "1e9")
         self.refuses("--environment-strength", "-1", "nan", "1e39", "bright")
+        self.refuses("--emission-scale", "-1", "nan", "1e39", "bright")
         self.refuses("--sun-angle", "-1", "181", "nan", "wide")
         self.refuses("--environment", "sky:elevation", "sky:elevation=high", "sky:height=3",
                      "sky:elevation=91", "sky:turbidity=0", "sky:turbidity=11", "sky:azimuth=nan")
@@ -109,6 +110,20 @@ class Light(support.CommandTest):
         self.assertIn("a soft sky", self.facts("--camera", "panorama", scene="attic.glb")["light"])
         facts = self.facts("--ambient", "0", scene="sunny.gltf")
         self.assertIn("1 lamp, a constant environment", facts["light"])
+
+    def test_emission_of_blender_is_in_the_units_of_its_lamps(self):
+        scene = sunny_scene()
+        scene["asset"]["generator"] = "Khronos glTF Blender I/O v3.4.50"
+        scene["materials"] = [{"emissiveFactor": [1, 1, 1]}]
+        scene["meshes"][0]["primitives"][0]["material"] = 0
+        (self.folder / "sunny.gltf").write_text(json.dumps(scene))
+        words = ("render", "sunny.gltf", "--size", "8x8", "--samples", "1", "-o", "p.exr")
+        said = "emission x 683, to the units of Blender's lamps"
+        self.assertIn(said, self.run_command(*words)[0])
+        self.assertIn(said, self.run_command("info", "sunny.gltf")[0])
+        self.assertNotIn(said, self.run_command(*words, "--emission-scale", "683")[0])
+        self.assertEqual(self.facts(scene="sunny.gltf")["emission_scale"], 683)
+        self.assertEqual(self.facts("--emission-scale", "1", scene="sunny.gltf")["emission_scale"], 1)
 
     def test_the_environment_is_the_background_unless_it_is_hidden(self):
         for words, share in (((), 1.0), (("--background", "auto"), 1.0)):

@@ -24,7 +24,23 @@ for x in (0, 0.6):
         seen = world_to_camera_view(bpy.context.scene, camera, Vector((x, y, 1.05)))
         print("seen", f"{{x}},{{y}},1.05", 1920 * seen.x, 1080 * (1 - seen.y))
 """
+# A lamp of 100 W whose object is stretched.
+AREA_LAMP = """
+import bpy
+bpy.ops.wm.read_factory_settings(use_empty=True)
+bpy.ops.object.light_add(type="AREA", location=(0, 0, 2))
+lamp = bpy.context.object
+lamp.scale.x = 2
+lamp.data.energy, lamp.data.shape, lamp.data.size, lamp.data.size_y = 100, "RECTANGLE", 1, 1
+"""
 NUMBER = r"-?\d+\.?\d*(?:e-?\d+)?"
+
+
+def document(file):
+    """The JSON of a GLB file."""
+    contents = file.read_bytes()
+    (length,) = struct.unpack("<I", contents[12:16])
+    return json.loads(contents[20:20 + length])
 
 
 class BlenderGuide(guide.GuideTest):
@@ -66,11 +82,23 @@ class BlenderGuide(guide.GuideTest):
                     self.assertAlmostEqual(float(ours), float(blenders), delta=0.02)
 
     def test_lights_have_the_stated_units(self):
-        contents = (self.folder / "room.glb").read_bytes()
-        (length,) = struct.unpack("<I", contents[12:16])
-        scene = json.loads(contents[20:20 + length])
-        (lamp,) = scene["extensions"]["KHR_lights_punctual"]["lights"]
+        (lamp,) = document(self.folder / "room.glb")["extensions"]["KHR_lights_punctual"]["lights"]
         self.assertAlmostEqual(lamp["intensity"], 100 * 54.35, delta=1)
+
+    def test_area_lights_become_planes(self):
+        export = (self.folder / "export.py").read_text().replace("room.glb", "lamp.glb")
+        (self.folder / "lamp.py").write_text(AREA_LAMP)
+        (self.folder / "export_lamp.py").write_text(export)
+        script = guide.REPOSITORY / "contrib/blender/area_lights.py"
+        self.run_line("blender --background --python-exit-code 1 --python lamp.py "
+                      f"--python {script} --python export_lamp.py")
+        info = self.run_line("balcony info lamp.glb")
+        self.assertRegex(info, r"lights +0")
+        self.assertIn("(-1, 2, -0.5) .. (1, 2.001, 0.5)", info)
+        (light,) = [material for material in document(self.folder / "lamp.glb")["materials"]
+                    if "emissiveFactor" in material]
+        strength = light["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"]
+        self.assertAlmostEqual(strength, 100 / (4 * 2), delta=1e-4)
 
 
 if __name__ == "__main__":

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "scene_files.hpp"
 
@@ -77,6 +78,43 @@ TEST_F(Lights, LightsOfOneNameStayApart) {
     const auto scene = load_glb(gltf);
     ASSERT_TRUE(scene) << said(scene);
     EXPECT_EQ(scene->lights[0].position, V3d(5, 0, 0)) << "not where the mesh of that name is";
+}
+
+TEST_F(Lights, EmissionOfBlenderIsInTheirUnits) {
+    Gltf gltf = with_light({{"type", "point"}}, Json::object());
+    gltf.json["materials"] = {{{"emissiveFactor", {1, 0.5, 0}}}};
+    gltf.primitive(0)["material"] = 0;
+    const auto emission = [&](const Json& generator, std::optional<float> scale = {}) {
+        gltf.json["asset"]["generator"] = generator;
+        const auto scene = load(write("lit.glb", gltf.glb()), {}, {}, {.emission_scale = scale});
+        EXPECT_TRUE(scene) << said(scene);
+        EXPECT_EQ(scene->materials[0].emission.y, 0.5F * scene->emission_scale);
+        return scene->materials[0].emission.x;
+    };
+    EXPECT_EQ(emission("Khronos glTF Blender I/O v3.4.50"), 683.0F);
+    EXPECT_EQ(emission("Khronos glTF Blender I/O v4.2.70"), 683.0F);
+    EXPECT_EQ(emission("Khronos glTF Blender I/O v10.0"), 683.0F);
+    EXPECT_EQ(emission("Khronos glTF Blender I/O v3.3.27"), 1.0F) << "converts no lights";
+    EXPECT_EQ(emission("Khronos glTF Blender I/O"), 1.0F);
+    EXPECT_EQ(emission("Balcony"), 1.0F);
+    EXPECT_EQ(emission(3), 1.0F);
+    EXPECT_EQ(emission("Khronos glTF Blender I/O v3.4.50", 2.0F), 2.0F);
+    EXPECT_EQ(emission("Balcony", 2.0F), 2.0F);
+    EXPECT_EQ(emission("Balcony", 1e30F), 1e30F);
+}
+
+TEST_F(Lights, EmissionOfBlenderWithoutLightsIsAsWritten) {
+    Gltf gltf = one_triangle();
+    gltf.json["asset"]["generator"] = "Khronos glTF Blender I/O v3.4.50";
+    gltf.json["materials"] = {{{"emissiveFactor", {1, 1, 1}}}};
+    gltf.primitive(0)["material"] = 0;
+    const auto scene = load_glb(gltf);
+    ASSERT_TRUE(scene) << said(scene);
+    EXPECT_EQ(scene->materials[0].emission, Color3f(1.0F));
+    EXPECT_FALSE(scene->default_light);
+    const auto dark = load(write("dark.glb", gltf.glb()), {}, {}, {.emission_scale = 0.0F});
+    ASSERT_TRUE(dark) << said(dark);
+    EXPECT_TRUE(dark->default_light);
 }
 
 TEST_F(Lights, BadLightsAreLeftOut) {

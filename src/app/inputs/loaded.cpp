@@ -101,7 +101,8 @@ private:
         }
         const auto begin = std::chrono::steady_clock::now();
         auto scene = load_scene(request_.scene, request_.settings.time, request_.added,
-                                telling(Step::reading), stop_);
+                                telling(Step::reading), stop_,
+                                {.emission_scale = request_.light.emission_scale});
         loaded_.load_seconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         add(found_, scene.diagnostics);

@@ -23,7 +23,7 @@ bool is_scene_file(std::string_view name) {
 
 Result<scene::Scene> load_scene(const std::string& name, double time,
                                 const std::vector<std::string>& added, const PartDone& progress,
-                                const std::stop_token& stop) {
+                                const std::stop_token& stop, scene::LoadOptions options) {
     const auto& built_in = lang::built_in_cameras();
     std::error_code ignored;
     const bool is_built_in = std::find(built_in.begin(), built_in.end(), name) != built_in.end() &&
@@ -36,11 +36,12 @@ Result<scene::Scene> load_scene(const std::string& name, double time,
                         name));
     }
     const double share = 1.0 / static_cast<double>(1 + added.size());
-    Result<scene::Scene> scene = scene::load(name, part_of(progress, 0.0, share), stop);
+    Result<scene::Scene> scene = scene::load(name, part_of(progress, 0.0, share), stop, options);
+    options.is_addition = true;
     double done = share;
     for (const std::string& file : added) {
         Result<scene::Scene> part =
-            scene::load_addition(file, part_of(progress, done, done + share), stop);
+            scene::load(file, part_of(progress, done, done + share), stop, options);
         done += share;
         std::move(part.diagnostics.begin(), part.diagnostics.end(),
                   std::back_inserter(scene.diagnostics));

@@ -118,7 +118,15 @@ Options<LightRequest> light_options() {
                      .placeholder = "DEGREES",
                      .meaning = "angular diameter of directional lights, for path; 0 gives sharp "
                                 "shadows (default: that of the scene, or of the sun, 0.53)"},
-                    maybe(degrees(0.0, 180.0)), &LightRequest::sun_angle)}};
+                    maybe(degrees(0.0, 180.0)), &LightRequest::sun_angle),
+             option({.name = "--emission-scale",
+                     .placeholder = "FACTOR",
+                     .meaning = "factor for materials that emit; 1 is as written (default: 683 in "
+                                "files with lamps that Blender has exported, which writes lamps in "
+                                "candela, but emission in watts)"},
+                    maybe(number(0.0F, static_cast<float>(scene::max_quantity),
+                                 "give a factor of at least 0")),
+                    &LightRequest::emission_scale)}};
 }
 
 }  // namespace balcony::app

@@ -133,6 +133,7 @@ void describe(Report& report, const Loaded& loaded, const camera::Picture& pictu
     report.summary = summary;
     report.interrupted = summary.interrupted;
     report.load_seconds = loaded.load_seconds;
+    report.emission_scale = loaded.scene->emission_scale;
     report.preparation = loaded.renderer->preparation();
     report.fitted = loaded.cameras.fitted();
 }

@@ -178,6 +178,7 @@ std::shared_ptr<const render::Film> Session::film() const { return state_->film;
 void Session::State::prepare(const Request& request) {
     const bool same = last && last->scene == request.scene && last->added == request.added &&
                       last->light.lamps == request.light.lamps &&
+                      last->light.emission_scale == request.light.emission_scale &&
                       last->settings.time == request.settings.time &&
                       last->texture_memory == request.texture_memory;
     if (!same) {

@@ -119,6 +119,7 @@ nlohmann::json scene_json(const scene::Scene& scene, const std::string& light) {
         {"materials", scene.materials.size()},
         {"textures", scene.textures.size()},
         {"lights", scene.lights.size()},
+        {"emission_scale", scene.emission_scale},
         {"default_light", light.empty() ? nlohmann::json(nullptr) : nlohmann::json(light)},
         {"cameras", cameras_json(scene)},
         {"animations", animations_json(scene)},
@@ -131,7 +132,12 @@ std::string lights_text(const scene::Scene& scene, const std::string& light) {
     const std::string_view besides = light.empty()            ? ""
                                      : light == unknown_light ? "; other light "
                                                               : "; lit by ";
-    return fmt::format("{}{}{}", scene.lights.size(), besides, light);
+    const std::string emission =
+        scene.emission_scale == 1.0F
+            ? std::string()
+            : fmt::format("; emission x {:g}, to the units of Blender's lamps",
+                          scene.emission_scale);
+    return fmt::format("{}{}{}{}", scene.lights.size(), besides, light, emission);
 }
 
 std::string scene_text(const scene::Scene& scene, const std::string& light, bool objects) {

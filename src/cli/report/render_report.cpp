@@ -139,6 +139,7 @@ nlohmann::json facts_of(const app::Report& report) {
                   {"light", summary.light},
                   {"peak_memory", peak_memory()},
                   {"interrupted", summary.interrupted},
+                  {"emission_scale", report.emission_scale},
                   {"load_seconds", report.load_seconds},
                   {"build_seconds", report.preparation.build_seconds},
                   {"texture_seconds", report.preparation.texture_seconds}});
@@ -176,6 +177,12 @@ std::string text_of(const app::Report& report, const app::Request& request) {
         duration_text(summary.seconds), static_cast<double>(peak_memory()) / 0x1p20);
     if (!summary.light.empty()) {
         text += fmt::format("  lit by {}\n", printable(summary.light));
+    }
+    if (report.emission_scale != 1.0F && !request.light.emission_scale) {
+        text += fmt::format(
+            "  emission x {:g}, to the units of Blender's lamps; --emission-scale "
+            "sets it\n",
+            report.emission_scale);
     }
     if (report.samples) {
         text += fmt::format("  {} to {} samples per pixel, on average {:.1f}\n",

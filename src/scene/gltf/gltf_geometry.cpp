@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <iterator>
 #include <set>
@@ -51,11 +52,31 @@ void refuse_compressed(const Json& root, const std::filesystem::path& file) {
     }
 }
 
+// Whether Blender has exported the file, in a version that converts the units of lights. The mode
+// of this conversion is not in the file; that of all its defaults is assumed.
+bool is_of_blender(const Json& root) {
+    constexpr std::string_view exporter = "Khronos glTF Blender I/O v";
+    constexpr std::array first{3, 4};
+    const Json& written = member(member(root, "asset"), "generator");
+    const std::string generator = written.is_string() ? written.get<std::string>() : "";
+    if (!generator.starts_with(exporter)) {
+        return false;
+    }
+    std::array<int, 2> version{};
+    const char* at = generator.data() + exporter.size();
+    const char* const end = generator.data() + generator.size();
+    for (int& part : version) {
+        at = std::min(std::from_chars(at, end, part).ptr + 1, end);
+    }
+    return version >= first;
+}
+
 }  // namespace
 
 void read_gltf(Import& import) {
     GltfDocument document(import);
     refuse_compressed(document.root(), import.file);
+    import.is_of_blender = is_of_blender(document.root());
     import.scene.format = document.is_binary() ? "glTF 2.0 binary" : "glTF 2.0";
     GltfReader(document, import).read();
 }
