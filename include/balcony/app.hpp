@@ -83,7 +83,7 @@ struct Report {
     std::optional<SampleRange> samples{};
     bool has_samples = true;          ///< Otherwise there was nothing to save.
     double exposure = 0.0;            ///< In stops.
-    bool is_exposure_chosen = false;  ///< By the picture.
+    bool is_exposure_chosen = false;  ///< By a first look at the picture, for the display.
     render::Color3f ambient{0.0F};    ///< As Film::ambient.
     std::optional<render::DenoiseSummary> denoised{};
     double load_seconds = 0.0;    ///< To read the scene.
@@ -145,8 +145,8 @@ void hold_look(const Report& first, Request& second);
 /// What is known to be wrong with an output before rendering: its folder, its extension.
 [[nodiscard]] Diagnostics check_output(const std::filesystem::path& output);
 
-/// What is wrong with a request: values that are out of range, an error of Kind::internal; a shard
-/// that noise or an exposure forbids, a fit without a camera.
+/// What is wrong with a request: values that are out of range, an error of Kind::internal; a fit
+/// without a camera.
 [[nodiscard]] Diagnostics check_request(const Request& request);
 
 /// A picture of which all shards were joined.

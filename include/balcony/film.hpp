@@ -266,7 +266,7 @@ struct DisplayOptions {
     bool dither = true;
 };
 
-/// The exposure, in half stops, for a film whose light is far from the range of a screen, as in
+/// The exposure, in quarter stops, for a film whose light is far from the range of a screen, as in
 /// scenes with physical units. Of the luminance of the light, without black parts, it is 0 if the
 /// median is between nearly black (0.004) and a stop above white (2), and the 95th percentile at
 /// most two stops above white (4). Otherwise, it makes the median middle grey (0.18), or up to two

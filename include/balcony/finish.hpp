@@ -17,14 +17,13 @@ namespace balcony::render {
 struct Finish {
     std::filesystem::path output{};  ///< "-" is a stream.
     std::optional<Denoiser> denoiser{};
-    std::size_t threads = 0;           ///< Of the denoiser, as DenoiseOptions::threads.
-    std::optional<double> exposure{};  ///< In stops; chosen automatically if empty.
+    std::size_t threads = 0;  ///< Of the denoiser, as DenoiseOptions::threads.
+    double exposure = 0.0;    ///< In stops.
     ViewTransform view = ViewTransform::neutral;
     bool dither = true;
 
     /// Null for EXR. A stream is PNG.
     [[nodiscard]] const DisplayFormat* display_format() const;
-    [[nodiscard]] double exposure_of(const Film& film) const;
 };
 
 }  // namespace balcony::render

@@ -107,12 +107,6 @@ Diagnostics check_request(const Request& request) {
                               "add --camera FILE or the name of a built-in camera"));
     }
     add(found, check_placement(request.placement, true));
-    if (request.job.shard && !request.exposure && request.settings.sampling.noise != 0.0) {
-        found.push_back(error(Kind::usage,
-                              "--shard with --noise needs --exposure, as noise is relative to "
-                              "white",
-                              "add --exposure 0, or the one that a quick preview reports"));
-    }
     return found;
 }
 

@@ -313,7 +313,7 @@ class Bands(support.CommandTest):
         return (self.folder / name).read_bytes()
 
     def test_the_file_does_not_depend_on_the_memory(self):
-        for words in ((), ("--crop", "150x220+20+30")):
+        for words in ((), ("--crop", "150x220+20+30"), ("--noise", "0.2", "-s", "16")):
             for memory in ("1MB", "3MB"):
                 facts = self.json_of(*self.WORDS, "--size", "200x300", *words, "--film-memory",
                                      memory, "-o", f"{memory}.exr")

@@ -40,8 +40,7 @@ class Shards(support.CommandTest):
         for picture, words in (("p.png", ()), ("p.exr", ("--layers", "all")),
                                ("p.png", ("--denoise", "--denoiser", "features")),
                                ("p.png", ("--crop", "90x50+20+15", "--background", "0.3")),
-                               ("p.png", ("--noise", "0.05", "--exposure", "1", "--no-dither",
-                                          "--view-transform", "agx", "--samples", "64"))):
+                               ("p.png", ("--noise", "0.05", "--no-dither", "--view-transform", "agx", "--samples", "64"))):
             with self.subTest(words=words):
                 self.render("-o", f"whole-{picture}", *words)
                 for count in (1, 2, 3):
@@ -113,8 +112,6 @@ class Shards(support.CommandTest):
                          says=f"--shard cannot be '{text}'")
         self.refused("render", "room.glb", "--shard", "1/2", "--save-every", "1s", code=2,
                      says="exclude each other")
-        self.refused("render", "room.glb", "--shard", "1/2", "--noise", "0.1", code=2,
-                     says="needs --exposure")
         self.refused("render", "room.glb", "--shard", "1/2", "--watch", code=2,
                      says="exclude each other")
 

@@ -30,13 +30,13 @@ TEST(Exposure, KeepsPicturesInTheRangeOfAScreen) {
     EXPECT_EQ(automatic_exposure(grey_film(0.9F)), 0.0);
 }
 
-// Half stops: the median comes within a factor 2^(1/4) of middle grey.
+// Quarter stops: the median comes within a factor 2^(1/8) of middle grey.
 TEST(Exposure, MakesTheMedianMiddleGrey) {
     for (const float median : {1e-6F, 0.002F, 3.0F, 700.0F, 1e6F}) {
         const double exposure = automatic_exposure(grey_film(median));
         const double shown = static_cast<double>(median) * std::exp2(exposure);
-        EXPECT_NEAR(std::log2(shown / 0.18), 0.0, 0.25) << median;
-        EXPECT_EQ(2.0 * exposure, std::round(2.0 * exposure)) << median;
+        EXPECT_NEAR(std::log2(shown / 0.18), 0.0, 0.125) << median;
+        EXPECT_EQ(4.0 * exposure, std::round(4.0 * exposure)) << median;
     }
 }
 
@@ -53,15 +53,15 @@ Film film_with_highlights(double middle, double highlight) {
 
 TEST(Exposure, KeepsHighlightsInRange) {
     EXPECT_EQ(automatic_exposure(film_with_highlights(0.1, 3.9)), 0.0);
-    // The highlight becomes white, within a quarter stop.
+    // The highlight becomes white, within an eighth of a stop.
     EXPECT_NEAR(std::log2(400.0) + automatic_exposure(film_with_highlights(40.0, 400.0)), 0.0,
-                0.25);
+                0.125);
     // It darkens the rest by at most two stops.
     EXPECT_NEAR(std::log2(0.1 / 0.18) + automatic_exposure(film_with_highlights(0.1, 400.0)), -2.0,
-                0.25);
+                0.125);
     // Where nothing is bright, the median counts, whatever is black.
     Film dark = film_with_highlights(0.0, 700.0);
-    EXPECT_NEAR(std::log2(700.0 / 0.18) + automatic_exposure(dark), 0.0, 0.25);
+    EXPECT_NEAR(std::log2(700.0 / 0.18) + automatic_exposure(dark), 0.0, 0.125);
 }
 
 TEST(Exposure, IsZeroForFilmsWithoutLight) {

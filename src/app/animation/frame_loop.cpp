@@ -210,7 +210,6 @@ Diagnostics FrameLoop::write_unit(const FrameUnit& unit, render::Film& film) {
     }
     Finish finish = finish_of(request_);
     finish.output = animation_.pattern.file(unit.frame);
-    finish.exposure = request_.exposure.value_or(0.0);
     if (unit.part.count > 1) {
         return render::write_shard(
             film,

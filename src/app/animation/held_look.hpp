@@ -11,8 +11,8 @@ namespace balcony::app {
 
 /// Sets what a render chooses by looking at its picture (the exposure, if the frames have one, the
 /// ambient light, the light of a scene without any) to what suits the picture at the time of the
-/// settings, so that it is the same in all frames. It is measured on a small picture, which is the
-/// same whatever part of the animation is rendered. False if that fails, as the diagnostics say.
+/// settings, so that it is the same in all frames, whatever part of the animation is rendered.
+/// False if that fails, as the diagnostics say.
 [[nodiscard]] bool hold_look(Request& request, Loaded& loaded, const camera::Picture& picture,
                              const render::FilmLayout& layout, bool is_displayed,
                              Diagnostics& found, const std::stop_token& stop);

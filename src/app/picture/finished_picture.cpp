@@ -25,7 +25,7 @@ Finish finish_of(const Request& request) {
     return {.output = request.output,
             .denoiser = request.denoise ? std::optional(request.denoiser) : std::nullopt,
             .threads = request.settings.threads,
-            .exposure = request.exposure,
+            .exposure = request.exposure.value_or(0.0),
             .view = request.view_transform(),
             .dither = request.dither};
 }
@@ -83,7 +83,7 @@ std::optional<render::DenoiseSummary> try_to_denoise(const Finish& finish, rende
 
 Diagnostics write(const Finish& finish, const render::Film& film, const Observer& observer) {
     const render::DisplayOptions options{
-        .exposure = finish.exposure_of(film), .view = finish.view, .dither = finish.dither};
+        .exposure = finish.exposure, .view = finish.view, .dither = finish.dither};
     if (!is_stream(finish.output)) {
         return render::write(film, finish.output, options);
     }

@@ -52,8 +52,7 @@ void merge(const std::vector<fs::path>& shards, const fs::path& other_output,
         return;
     }
     merged.denoised = *denoised;
-    merged.exposure = finish.exposure_of(*film);
-    finish.exposure = merged.exposure;
+    merged.exposure = finish.exposure;
     if (fails(write(finish, *film, observer))) {
         return;
     }

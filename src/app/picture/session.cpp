@@ -4,6 +4,7 @@
 #include "app/picture/session.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -11,6 +12,7 @@
 #include "app/inputs/frame_pictures.hpp"
 #include "app/picture/banded_picture.hpp"
 #include "app/picture/findings.hpp"
+#include "app/picture/look.hpp"
 #include "app/picture/paused_run.hpp"
 #include "app/picture/picture_facts.hpp"
 #include "app/words.hpp"
@@ -27,11 +29,31 @@ bool has_samples(const render::Film& film) {
                        [](std::uint32_t count) { return count > 0; });
 }
 
+// The exposure of a picture, and white for a noise level, which is relative to it. Shards may be
+// merged to a picture for the display.
+Result<double> choose_exposure(const Request& request, const camera::Picture& picture,
+                               const render::FilmLayout& layout, Loaded& loaded,
+                               const std::stop_token& stop) {
+    render::SamplingSettings& sampling = loaded.settings.sampling;
+    const bool is_used =
+        finish_of(request).display_format() != nullptr || request.job.shard || sampling.noise > 0.0;
+    if (request.exposure || !is_used) {
+        return request.exposure.value_or(0.0);
+    }
+    Result<Look> look = look_at(picture, loaded, layout, stop);
+    if (!look) {
+        return std::move(look.diagnostics);
+    }
+    sampling.white = std::exp2(-look->exposure);
+    return look->exposure;
+}
+
 /// A picture, or a shard of one, whose film is in memory.
 class WholeRun {
 public:
-    WholeRun(const Request& request, const Loaded& loaded, std::shared_ptr<render::Film> film,
-             const Observer& observer, const bool& is_outdated, Report& report)
+    WholeRun(const Request& request, double exposure, const Loaded& loaded,
+             std::shared_ptr<render::Film> film, const Observer& observer, const bool& is_outdated,
+             Report& report)
         : request_(request),
           loaded_(loaded),
           shared_(std::move(film)),
@@ -42,7 +64,9 @@ public:
           finish_(finish_of(request)),
           file_(request.job.shard ? shard_file(request.output, *request.job.shard)
                                   : request.output),
-          checkpoint_(file_, film_facts(request), loaded.files(), loaded.since) {}
+          checkpoint_(file_, film_facts(request), loaded.files(), loaded.since) {
+        finish_.exposure = exposure;
+    }
 
     void run(const camera::Picture& picture, const std::stop_token& stop) {
         Result<render::Job> job =
@@ -143,8 +167,8 @@ private:
 
     [[nodiscard]] Diagnostics write_the_picture() {
         report_.denoised = try_to_denoise(finish_, film_, report_.diagnostics);
-        report_.exposure = finish_.exposure_of(film_);
-        report_.is_exposure_chosen = !finish_.exposure;
+        report_.exposure = finish_.exposure;
+        report_.is_exposure_chosen = !request_.exposure && finish_.display_format() != nullptr;
         report_.ambient = film_.ambient;
         if (request_.output.empty()) {
             return {};
@@ -218,6 +242,10 @@ void Session::State::render(const Request& request, const Observer& observer,
             return;
         }
     }
+    const Result<double> exposure = choose_exposure(request, *picture, layout, loaded, stop);
+    if (fails(exposure.diagnostics)) {
+        return;
+    }
     if (format == nullptr && !request.output.empty() && is_large(layout, request)) {
         if (request.job.shard) {
             fails({too_large("a shard")});
@@ -234,7 +262,7 @@ void Session::State::render(const Request& request, const Observer& observer,
     }
     const auto kept = std::make_shared<render::Film>(std::move(*made));
     film = kept;
-    WholeRun(request, loaded, kept, observer, is_outdated, report).run(*picture, stop);
+    WholeRun(request, *exposure, loaded, kept, observer, is_outdated, report).run(*picture, stop);
 }
 
 Report Session::render(const Request& request, const Observer& observer,

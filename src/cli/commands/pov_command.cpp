@@ -50,7 +50,6 @@ PovRequest pov_request(const PovOptions& options) {
                               : fs::path(options.output);
     PovRequest request{options.settings, options.size, {.output = file}};
     // POV-Ray's picture is meant for the display as it is.
-    request.finish.exposure = 0.0;
     request.finish.view = render::ViewTransform::standard;
     request.finish.dither = false;
     request.settings.unclipped = request.finish.display_format() == nullptr;

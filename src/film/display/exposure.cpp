@@ -48,7 +48,7 @@ double automatic_exposure(const Film& film) {
     const double for_highlights = std::log2(white / bright);
     const double stops =
         std::clamp(for_highlights, for_middle - max_stops_for_highlights, for_middle);
-    return std::round(2.0 * stops) / 2.0;
+    return std::round(4.0 * stops) / 4.0;
 }
 
 }  // namespace balcony::render
