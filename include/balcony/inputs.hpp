@@ -5,6 +5,7 @@
 // Inputs: the scenes and cameras that a program names, why a camera sees nothing of them, and that
 // no output replaces them.
 
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <stop_token>
@@ -95,9 +96,11 @@ struct MissText {
 /// An object in which rays of a camera start.
 struct StartInside {
     std::string object;
+    std::uint32_t index = 0;     ///< Into Scene::objects.
     double share = 0.0;          ///< The fraction of the rays.
     Imath::V2d point{0.0};       ///< An example of a position in the probed picture, in pixels.
     bool is_around_all = false;  ///< All rays start in it, so it is probably a room.
+    bool is_room = false;        ///< It is around all, and other objects are seen.
 };
 
 [[nodiscard]] std::vector<StartInside> starts_inside(const render::Probe& probe,

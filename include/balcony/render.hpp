@@ -106,6 +106,9 @@ struct Settings {
     /// Values of inputs of the picture, such as open parameters (lang::OpenPicture); the others
     /// have those of Camera::Parts::inputs.
     std::vector<camera::KnownInput> inputs{};
+    /// Objects, by index into Scene::objects, that camera rays pass where they meet them from
+    /// behind, before anything else: those that they start in.
+    std::vector<std::uint32_t> passed_objects{};
     /// Radiance from all directions, without shadows; for `path` it is a constant environment.
     /// If empty, `path` has none, and the other integrators use a tenth of the median brightness of
     /// the places that a coarse grid of the picture's rays meets. The brightness of a place is the

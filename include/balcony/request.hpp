@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -18,6 +19,7 @@
 #include "balcony/environment.hpp"
 #include "balcony/film.hpp"
 #include "balcony/layers.hpp"
+#include "balcony/names.hpp"
 #include "balcony/picture.hpp"
 #include "balcony/render.hpp"
 #include "balcony/scene.hpp"
@@ -137,6 +139,13 @@ struct Placement {
     [[nodiscard]] bool places(const std::string& camera) const;
 };
 
+/// What becomes of rays that start in closed objects, other than a room around all of them.
+enum class InsideRule : std::uint8_t {
+    report,  ///< They show them from inside. A warning names them, as it does with `pass`.
+    pass,    ///< They pass through them.
+};
+[[nodiscard]] Names<InsideRule> inside_rules();
+
 /// A picture of a scene through a camera.
 struct Request {
     std::string scene;                 ///< The name of a scene file.
@@ -146,6 +155,7 @@ struct Request {
     std::string camera{};
     std::vector<std::string> set{};  ///< Values of the camera's parameters: "gamma=1/2".
     Placement placement{};
+    InsideRule inside = InsideRule::report;
 
     SizeRequest size{};
     Crop crop{};

@@ -83,6 +83,13 @@ fs::path file_of_eye(const fs::path& file, camera::StereoFormat eye) {
     return made;
 }
 
+Names<InsideRule> inside_rules() {
+    static constexpr std::array names{
+        Named{InsideRule::report, "report", "they show them from inside, and are named"},
+        Named{InsideRule::pass, "pass", "they pass through them"}};
+    return Names<InsideRule>(names);
+}
+
 // The scene and other programs need some memory, too.
 double JobRequest::film_bytes() const {
     return film_memory.value_or(0.5 * static_cast<double>(sysconf(_SC_PHYS_PAGES)) *

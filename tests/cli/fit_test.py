@@ -223,12 +223,12 @@ f 9 10 11
 class RaysThatStartInside(support.CommandTest):
     WARNING = "rays of camera 'rows' start in closed objects"
 
-    def told(self, camera, scene=BOX):
+    def told(self, camera, scene=BOX, *words):
         (self.folder / "box.obj").write_text(scene)
         (self.folder / "rows.cam").write_text("camera rows {\n    map u = -4 .. 4, v = square\n"
                                               f"    eye {camera}\n    look along(x)\n}}\n")
         return self.run_command("render", "box.obj", "-c", "rows.cam", "--size", "64", "-s", "1",
-                                "-o", "out.png")[1]
+                                "-o", "out.png", *words)[1]
 
     def test_the_object_is_named_with_its_share(self):
         # The picture shows 8 by 4.5, the box is 2 by 2.
@@ -243,9 +243,25 @@ class RaysThatStartInside(support.CommandTest):
     def test_a_room_is_no_trap(self):
         alone = self.told("surface(u, v) = [0, u/9, v/9]")
         self.assertIn("100 % in 'box'", alone)
+        self.assertIn("pass through them: 100 % in 'box'",
+                      self.told("surface(u, v) = [0, u/9, v/9]", BOX, "--inside", "pass"))
         furnished = BOX.replace("v 3 0 0", "v 0.5 0 -0.9").replace("v 4 0 0", "v 0.5 0.5 -0.9")
         furnished = furnished.replace("v 3 2 0", "v 0.5 0 0.9")
         self.assertNotIn(self.WARNING, self.told("surface(u, v) = [0, u/9, v/9]", furnished))
+
+    def test_they_may_pass(self):
+        # Behind the box is a slanted wall, which is darker than its back.
+        wall = BOX + "o wall\nv 5 -9 -9\nv 5 -9 9\nv 23 9 9\nv 23 9 -9\nf -4 -3 -2 -1\n"
+        for integrator in ("preview", "direct", "path"):
+            words = ("--exposure", "0", "--no-dither", "--integrator", integrator, "--ambient", "1")
+            pictures = []
+            for x, *rule in ((1.5,), (0,), (0, "--inside", "pass")):
+                said = self.told(f"surface(u, v) = [{x}, u, v]", wall, *words, *rule)
+                pictures.append(support.png_pixels(self.folder / "out.png"))
+            self.assertIn("pass through them: 11.1 % in 'box'", said)
+            self.assertTrue(pictures[0] != pictures[1], integrator)
+            if integrator != "path":  # Whose light the box takes part in.
+                self.assertTrue(pictures[0] == pictures[2], integrator)
 
 
 if __name__ == "__main__":

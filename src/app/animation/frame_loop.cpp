@@ -168,6 +168,8 @@ bool FrameLoop::go_to(std::size_t frame, const std::stop_token& stop) {
         job_.reset();
     }
     bool moved = move_along(picture_, loaded_, stop, found);
+    moved = moved && !add(found, pass_starts(request_.inside, picture_,
+                                             {layout_.width, layout_.height}, loaded_, stop));
     if (moved && layout_.layers.contains(render::LayerId::motion)) {
         moved = !add(found, inverses_.add_to(settings, *loaded_.scene, picture_, stop));
     }

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "app/picture/findings.hpp"
 #include "app/picture/look.hpp"
 #include "app/words.hpp"
 
@@ -15,6 +16,10 @@ bool hold_look(Request& request, Loaded& loaded, const camera::Picture& picture,
                const std::stop_token& stop) {
     if (request.exposure && loaded.settings.ambient) {
         return true;
+    }
+    if (add(found,
+            pass_starts(request.inside, picture, {layout.width, layout.height}, loaded, stop))) {
+        return false;
     }
     const Result<Look> look = look_at(picture, loaded, layout, stop);
     if (!look) {

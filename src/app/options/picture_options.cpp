@@ -77,6 +77,12 @@ Options<Request> scene_options() {
                 text(OptionType::camera), &Request::camera),
          set_option(&Request::set)}};
     made.add(&Request::placement, placement_options());
+    made.add({{option({.name = "--inside",
+                       .placeholder = "RULE",
+                       .meaning = "rays that start in closed objects, such as furniture in the eye "
+                                  "object: " +
+                                  described(choices_of(inside_rules()))},
+                      choice(inside_rules()), &Request::inside)}});
     return made;
 }
 

@@ -95,25 +95,36 @@ void describe_miss(Report& report, const Loaded& loaded, const camera::ShownCame
         {}, text.remedy));
 }
 
-// Warns of objects that the rays of a camera start in, found by a coarse look. An object around all
-// rays is a room if others are seen.
+render::ProbeSettings coarse_probe(std::pair<std::size_t, std::size_t> size, double rays,
+                                   double time) {
+    const double step = std::sqrt(static_cast<double>(size.first * size.second) / rays);
+    return {.width = size.first,
+            .height = size.second,
+            .step = static_cast<std::size_t>(std::max(1.0, step)),
+            .searches = false,
+            .time = time};
+}
+
+// Warns of objects that the rays of a camera start in, found by a coarse look.
 Diagnostics warn_of_starts(const std::string& camera, const render::Probe& probe,
-                           const scene::Scene& scene) {
-    const auto seen = std::count_if(probe.objects.begin(), probe.objects.end(),
-                                    [](const render::ObjectSight& sight) { return sight.seen; });
+                           const scene::Scene& scene, bool passes) {
     std::vector<std::string> texts;
     for (const StartInside& start : starts_inside(probe, scene)) {
-        if (!start.is_around_all || seen < 2) {
+        if (!start.is_room) {
             texts.push_back(
                 fmt::format("{:.3g} % in '{}'", 100.0 * start.share, printable(start.object)));
         }
     }
-    return texts.empty()
-               ? Diagnostics{}
-               : Diagnostics{warning(
-                     fmt::format("rays of {} start in closed objects and show them from inside: {}",
-                                 camera, fmt::join(texts, ", ")),
-                     {}, "move the camera with --set, or make its eye object smaller")};
+    if (texts.empty()) {
+        return {};
+    }
+    return {warning(
+        fmt::format("rays of {} start in closed objects and {}: {}", camera,
+                    passes ? "pass through them" : "show them from inside", fmt::join(texts, ", ")),
+        {},
+        passes ? ""
+               : "let rays pass with --inside pass, move the camera with --set, or "
+                 "make its eye object smaller")};
 }
 
 }  // namespace
@@ -140,14 +151,8 @@ void describe(Report& report, const Loaded& loaded, const camera::Picture& pictu
 
 void describe_sight(Report& report, const Loaded& loaded, const camera::Picture& picture,
                     std::pair<std::size_t, std::size_t> size, const std::stop_token& stop) {
-    constexpr double rays = 64.0 * 64.0;
     constexpr double few = 0.02;  // The share of rays that meet something, if hardly any does.
-    const double step = std::sqrt(static_cast<double>(size.first * size.second) / rays);
-    const render::ProbeSettings settings{.width = size.first,
-                                         .height = size.second,
-                                         .step = static_cast<std::size_t>(std::max(1.0, step)),
-                                         .searches = false,
-                                         .time = loaded.settings.time};
+    const render::ProbeSettings settings = coarse_probe(size, 64.0 * 64.0, loaded.settings.time);
     for (const camera::ShownCamera& shown : shown_cameras(picture)) {
         const Result<render::Probe> probe =
             render::probe(*loaded.renderer, shown.camera, settings, {}, stop);
@@ -162,10 +167,35 @@ void describe_sight(Report& report, const Loaded& loaded, const camera::Picture&
             }
             if (probe) {
                 add(report.diagnostics,
-                    warn_of_starts(name_of(layer, report.summary), *probe, *loaded.scene));
+                    warn_of_starts(name_of(layer, report.summary), *probe, *loaded.scene,
+                                   !loaded.settings.passed_objects.empty()));
             }
         }
     }
+}
+
+Diagnostics pass_starts(InsideRule rule, const camera::Picture& picture,
+                        std::pair<std::size_t, std::size_t> size, Loaded& loaded,
+                        const std::stop_token& stop) {
+    std::vector<std::uint32_t>& passed = loaded.settings.passed_objects;
+    passed.clear();
+    if (rule != InsideRule::pass) {
+        return {};
+    }
+    const render::ProbeSettings settings = coarse_probe(size, 256.0 * 256.0, loaded.settings.time);
+    for (const camera::ShownCamera& shown : shown_cameras(picture)) {
+        const Result<render::Probe> probe =
+            render::probe(*loaded.renderer, shown.camera, settings, {}, stop);
+        if (!probe) {
+            return probe.diagnostics;
+        }
+        for (const StartInside& start : starts_inside(*probe, *loaded.scene)) {
+            if (!start.is_room) {
+                passed.push_back(start.index);
+            }
+        }
+    }
+    return {};
 }
 
 std::optional<SampleRange> sample_range(const render::Film& film) {

@@ -23,6 +23,12 @@ void describe(Report& report, const Loaded& loaded, const camera::Picture& pictu
 void describe_sight(Report& report, const Loaded& loaded, const camera::Picture& picture,
                     std::pair<std::size_t, std::size_t> size, const std::stop_token& stop);
 
+/// Sets the objects that the rays of a picture of this size start in and pass by the rule, in the
+/// settings that are loaded.
+[[nodiscard]] Diagnostics pass_starts(InsideRule rule, const camera::Picture& picture,
+                                      std::pair<std::size_t, std::size_t> size, Loaded& loaded,
+                                      const std::stop_token& stop);
+
 /// The numbers of samples of adaptive sampling; nothing without it.
 [[nodiscard]] std::optional<SampleRange> sample_range(const render::Film& film);
 

@@ -242,6 +242,9 @@ void Session::State::render(const Request& request, const Observer& observer,
             return;
         }
     }
+    if (fails(pass_starts(request.inside, *picture, {layout.width, layout.height}, loaded, stop))) {
+        return;
+    }
     const Result<double> exposure = choose_exposure(request, *picture, layout, loaded, stop);
     if (fails(exposure.diagnostics)) {
         return;

@@ -57,7 +57,55 @@ TileTracer::TileTracer(const TracedScene& traced, const Settings& settings,
       // Many samples share the filtering; pbrt limits the reduction in the same way.
       footprint_scale_(std::max(0.125, 1.0 / std::sqrt(static_cast<double>(settings.samples)))),
       integrator_(integrator.make(traced, settings)),
-      light_tracer_(integrator_->light_tracer()) {}
+      light_tracer_(integrator_->light_tracer()) {
+    if (!settings.passed_objects.empty()) {
+        passed_.resize(traced.scene->objects.size());
+        for (const std::uint32_t object : settings.passed_objects) {
+            if (object < passed_.size()) {
+                passed_[object] = true;
+            }
+        }
+    }
+}
+
+void TileTracer::intersect(std::span<embree::Packet> packets) const {
+    traced_->accelerator.intersect(packets);
+    if (passed_.empty()) {
+        return;
+    }
+    for (embree::Packet& packet : packets) {
+        embree::Packet beyond = packet;
+        LaneBits passing = all_lanes;
+        for (std::size_t crossings = 0; passing != 0 && crossings < max_crossings; ++crossings) {
+            passing = set_beyond(packet, beyond);
+            if (passing != 0) {
+                traced_->accelerator.intersect(std::span(&beyond, 1));
+            }
+            for_each_lane(passing, [&](std::size_t lane) { packet.take_hit(beyond, lane); });
+        }
+    }
+}
+
+LaneBits TileTracer::set_beyond(const embree::Packet& packet, embree::Packet& beyond) const {
+    LaneBits passing = 0;
+    beyond.valid.fill(0);
+    for (std::size_t lane = 0; lane < embree::Packet::size; ++lane) {
+        if (packet.valid[lane] == 0 || !packet.any(lane) ||
+            !passed_[traced_->scene->instances[packet.instance(lane)].object]) {
+            continue;
+        }
+        const V3f direction = packet.direction(lane);
+        const Surface surface =
+            traced_->surfaces.find(packet.hit(lane), direction, packet.time[lane]);
+        if (!surface.entering) {
+            beyond.set(lane, {.origin = surface.start(direction),
+                              .direction = direction,
+                              .time = packet.time[lane]});
+            passing |= lane_bit(lane);
+        }
+    }
+    return passing;
+}
 
 void TileTracer::trace(const TilePoints& points, const TileRays& rays, const Mask& wanted) {
     indices_.clear();
@@ -75,7 +123,7 @@ void TileTracer::trace(const TilePoints& points, const TileRays& rays, const Mas
             });
         }
         if (lanes != decltype(lanes){}) {
-            traced_->accelerator.intersect(packets);
+            intersect(packets);
         }
         for (std::size_t k = 0; k < packets.size(); ++k, ++number) {
             if (lanes[k] != 0) {
@@ -123,7 +171,7 @@ RayCounts TileTracer::trace_light(const Region& region, const Region& counted, c
     RayCounts counts{.camera_rays = within.size()};
     for_each_run(region.width, region.height, packets_, [&](const Square& first, auto packets) {
         set_packets(rays.all, first, rays.interval, rays.time, packets);
-        traced_->accelerator.intersect(packets);
+        intersect(packets);
         SquareDifferentials differentials(rays.all, footprint_scale_, first, differentials_);
         light_tracer_->trace_light(packets, differentials,
                                    std::span(radiances_).first(packets.size()));

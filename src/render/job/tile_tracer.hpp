@@ -70,6 +70,10 @@ public:
 
 private:
     void trace(const TilePoints& points, const TileRays& rays, const Mask& wanted);
+    // Traces packets; hits of objects that their rays start in give way to what is behind.
+    void intersect(std::span<embree::Packet> packets) const;
+    // The rays of a packet that pass their hits, and what they become behind them.
+    LaneBits set_beyond(const embree::Packet& packet, embree::Packet& beyond) const;
     // Writes a packet, which has a square of the region.
     surface_lanes::LaneCounts write_square(const Region& region, const Region& counted,
                                            std::size_t left, std::size_t top, std::size_t packet,
@@ -82,6 +86,7 @@ private:
     double footprint_scale_;
     std::unique_ptr<Integrator> integrator_;
     LightTracer* light_tracer_;
+    std::vector<bool> passed_;  // By object; empty if none is.
     // The rays at work; kept for their memory.
     std::vector<std::size_t> indices_;  // Of the requested points; the others are parallel to it.
     std::vector<CameraRay> requested_;

@@ -102,6 +102,16 @@ struct alignas(64) Packet {
     [[nodiscard]] std::uint32_t instance(std::size_t lane) const {
         return is_placed(lane) ? placement[lane] : geometry[lane];
     }
+    /// Takes the hit of a ray that continues this one.
+    void take_hit(const Packet& further, std::size_t lane) {
+        for (const auto floats : {&Packet::farthest, &Packet::normal_x, &Packet::normal_y,
+                                  &Packet::normal_z, &Packet::u, &Packet::v}) {
+            (this->*floats)[lane] = (further.*floats)[lane];
+        }
+        for (const auto numbers : {&Packet::triangle, &Packet::geometry, &Packet::placement}) {
+            (this->*numbers)[lane] = (further.*numbers)[lane];
+        }
+    }
     [[nodiscard]] Hit hit(std::size_t lane) const {
         return any(lane) ? Hit{instance(lane), triangle[lane], u[lane], v[lane]} : Hit{};
     }
