@@ -264,5 +264,30 @@ class RaysThatStartInside(support.CommandTest):
                 self.assertTrue(pictures[0] == pictures[2], integrator)
 
 
+def box(name, low, high, turned=False):
+    """A closed box in OBJ; turned inside out, it is a room."""
+    corners = [(x, y, z) for x in (low[0], high[0]) for y in (low[1], high[1]) for z in (low[2], high[2])]
+    faces = ((1, 2, 4, 3), (5, 7, 8, 6), (1, 5, 6, 2), (3, 4, 8, 7), (1, 3, 7, 5), (2, 6, 8, 4))
+    text = f"o {name}\n" + "".join(f"v {x} {y} {z}\n" for x, y, z in corners)
+    for face in faces:
+        text += "f " + " ".join(str(i - 9) for i in (face[::-1] if turned else face)) + "\n"
+    return text
+
+
+class FitInTheOpen(support.CommandTest):
+    def test_the_eye_object_becomes_smaller(self):
+        # The fitted one would reach 2.52 from the middle, and the cupboard begins at 1.6.
+        room = box("room", (-3, 0, -3), (3, 3, 3), turned=True)
+        for furniture, smallest, largest in (("", 2.5, 2.53),
+                                             (box("cupboard", (-1, 0, -3), (1, 2, -1.6)), 1, 1.6)):
+            (self.folder / "room.obj").write_text(room + furniture)
+            facts = self.json_of("render", "room.obj", "-c", "superelliptic", "--size", "64", "-s", "1",
+                                 "-o", "p.png")
+            fitted = {one["name"]: one["value"] for one in facts["fitted"]}
+            self.assertGreater(fitted["b"], smallest)
+            self.assertLess(fitted["b"], largest)
+            self.assertNotIn("start in closed objects", json.dumps(facts["diagnostics"]))
+
+
 if __name__ == "__main__":
     support.main()

@@ -140,13 +140,16 @@ private:
         if (!prepare(std::nullopt)) {
             return Diagnostics{};
         }
-        Diagnostics found = fit_cameras(loaded_.cameras, request_.placement, *loaded_.scene,
-                                        *loaded_.renderer, stop_);
+        const auto make = [this] {
+            return load_picture(request_.camera, request_.set, loaded_.cameras);
+        };
+        Diagnostics found = fit_cameras(
+            loaded_.cameras, request_.placement, *loaded_.scene, *loaded_.renderer,
+            [&] { return cameras_of(make()); }, stop_);
         if (has_errors(found)) {
             return found;
         }
-        Result<camera::Picture> picture =
-            load_picture(request_.camera, request_.set, loaded_.cameras);
+        Result<camera::Picture> picture = make();
         add(picture.diagnostics, found);
         add(picture.diagnostics,
             warn_of_unused_place(request_.placement, loaded_.cameras.fitted()));

@@ -25,9 +25,73 @@ bool Placement::places(const std::string& camera) const {
     return is_demanded() || (is_built_in && fit.value_or(true));
 }
 
+namespace {
+
+bool start_inside(const std::vector<camera::Camera>& cameras, const scene::Scene& scene,
+                  const render::Renderer& renderer, const std::stop_token& stop) {
+    constexpr std::size_t side = 64;
+    const render::ProbeSettings settings{
+        .width = side, .height = side, .searches = false, .time = scene.time};
+    return std::any_of(cameras.begin(), cameras.end(), [&](const camera::Camera& camera) {
+        const auto probe = render::probe(renderer, camera, settings, {}, stop);
+        const auto starts = probe ? starts_inside(*probe, scene) : std::vector<StartInside>();
+        return std::any_of(starts.begin(), starts.end(),
+                           [](const StartInside& start) { return !start.is_room; });
+    });
+}
+
+// With bounds that are smaller about their centre.
+lang::SceneMeasures shrunk(lang::SceneMeasures measures, double scale) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double center = 0.5 * (measures.min[axis] + measures.max[axis]);
+        measures.min[axis] = center + scale * (measures.min[axis] - center);
+        measures.max[axis] = center + scale * (measures.max[axis] - center);
+    }
+    return measures;
+}
+
+std::vector<double> values_of(const std::vector<lang::FittedParameter>& fitted) {
+    std::vector<double> values;
+    for (const lang::FittedParameter& parameter : fitted) {
+        values.push_back(parameter.value.value_or(0.0));
+    }
+    return values;
+}
+
+void fit_in_the_open(lang::Workspace& cameras, const lang::SceneMeasures& measures,
+                     const MakeCameras& make,
+                     const std::function<bool(const std::vector<camera::Camera>&)>& is_bad) {
+    constexpr double step = 0.85;
+    constexpr double smallest = 0.3;
+    std::vector<double> fitted;
+    for (double scale = 1.0; scale > smallest; scale *= step) {
+        cameras.fit_to(shrunk(measures, scale));
+        if (!is_bad(make())) {
+            return;
+        }
+        const std::vector<double> before = std::exchange(fitted, values_of(cameras.fitted()));
+        if (before == fitted) {
+            break;  // They do not depend on the bounds.
+        }
+    }
+    cameras.fit_to(measures);
+}
+
+}  // namespace
+
+std::vector<camera::Camera> cameras_of(const Result<camera::Picture>& picture) {
+    std::vector<camera::Camera> cameras;
+    if (picture) {
+        for (const camera::ShownCamera& shown : shown_cameras(*picture)) {
+            cameras.push_back(shown.camera);
+        }
+    }
+    return cameras;
+}
+
 Diagnostics fit_cameras(lang::Workspace& cameras, const Placement& placement,
                         const scene::Scene& scene, const render::Renderer& renderer,
-                        const std::stop_token& stop) {
+                        const MakeCameras& make, const std::stop_token& stop) {
     const Result<render::SceneExtent> extent =
         render::measure_scene(renderer, placement.fit_to, stop);
     if (!extent) {
@@ -49,7 +113,9 @@ Diagnostics fit_cameras(lang::Workspace& cameras, const Placement& placement,
     measures.inside = point(stand->position);
     measures.look = stand->look;
     measures.angle = stand->angle;
-    cameras.fit_to(std::move(measures));
+    fit_in_the_open(cameras, measures, make, [&](const std::vector<camera::Camera>& made) {
+        return start_inside(made, scene, renderer, stop);
+    });
     return extent.diagnostics;
 }
 

@@ -183,17 +183,21 @@ private:
 
     // Makes the cameras again that the scene places.
     void place_cameras(std::vector<Subjects>& all) {
-        const auto is_placed = [this](const Subjects& one) {
-            return one.cameras && request_.placement.places(one.argument);
-        };
-        if (!renderer_ || std::none_of(all.begin(), all.end(), is_placed)) {
-            return;
-        }
-        add(fit_cameras(workspace_, request_.placement, *scene_, *renderer_, stop_));
         for (Subjects& one : all) {
-            if (is_fine() && is_placed(one)) {
-                one.cameras = check_subjects(one.argument, request_, workspace_);
+            if (!renderer_ || !is_fine() || !one.cameras ||
+                !request_.placement.places(one.argument)) {
+                continue;
             }
+            const auto make = [&] {
+                one.cameras = check_subjects(one.argument, request_, workspace_);
+                std::vector<camera::Camera> made;
+                for (std::size_t i = 0; one.cameras && i < one.cameras->size(); ++i) {
+                    made.push_back((*one.cameras)[i].camera);
+                }
+                return made;
+            };
+            add(fit_cameras(workspace_, request_.placement, *scene_, *renderer_, make, stop_));
+            make();
         }
     }
 

@@ -69,10 +69,11 @@ Result<camera::Picture> picture_in(const Prepared& prepared, const LocateRequest
         return load_picture(request.camera, request.set, *prepared.scene);
     }
     lang::Workspace cameras;
-    const Diagnostics found =
-        fit_cameras(cameras, request.placement, *prepared.scene, prepared.renderer, stop);
-    return has_errors(found) ? Result<camera::Picture>(found)
-                             : load_picture(request.camera, request.set, cameras);
+    const auto make = [&] { return load_picture(request.camera, request.set, cameras); };
+    const Diagnostics found = fit_cameras(
+        cameras, request.placement, *prepared.scene, prepared.renderer,
+        [&] { return cameras_of(make()); }, stop);
+    return has_errors(found) ? Result<camera::Picture>(found) : make();
 }
 
 }  // namespace
