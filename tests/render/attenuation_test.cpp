@@ -82,6 +82,27 @@ TEST(Attenuation, GlassHasTheWholeMatte) {
     }
 }
 
+// Thin glass passes what it does not reflect, 0.04, in its colour. Frosted glass is clear here.
+TEST(Attenuation, DirectShowsWhatIsBehindThinGlass) {
+    for (const float roughness : {0.0F, 0.05F, 0.5F}) {
+        scene::Scene scene;
+        add(scene, wall(0.0F, 10.0F), glowing(1.0F));
+        scene::Material glass = white();
+        glass.base_color = Color3f(0.5F, 0.7F, 0.9F);
+        glass.transmission = 1.0F;
+        glass.roughness = roughness;
+        add(scene, wall(0.1F, 10.0F), glass);
+        add(scene, wall(0.2F, 10.0F), glass);
+        Request asked = request(1, 1, "direct", 1);
+        const Color4f seen =
+            render(scene, orthographic(view_down_z(0.0, 0.0, 1.0)), asked).film.pixel(0, 0);
+        EXPECT_NEAR(seen.r, 0.96 * 0.96 * 0.5 * 0.5, 1e-5) << roughness;
+        EXPECT_NEAR(seen.g, 0.96 * 0.96 * 0.7 * 0.7, 1e-5) << roughness;
+        EXPECT_NEAR(seen.b, 0.96 * 0.96 * 0.9 * 0.9, 1e-5) << roughness;
+        EXPECT_EQ(seen.a, 1.0F) << roughness;
+    }
+}
+
 // KHR_materials_clearcoat: emission * (1 - clearcoat * Fresnel).
 TEST(Attenuation, AClearcoatAttenuatesTheEmissionBelowIt) {
     const auto expected = [](double clearcoat, double cosine) {

@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-// The lights of the scene with sharp shadows, ambient light without shadows, and mirrors.
+// The lights of the scene with sharp shadows, ambient light without shadows, mirrors and glass.
 
 #include <algorithm>
 
@@ -30,7 +30,16 @@ Bsdf bsdf_at(const Interaction& at, const V3f& side_normal) {
     if (is_mirror(appearance)) {
         appearance.roughness = 0.0F;
     }
-    Bsdf made(appearance, at.surface.normal, side_normal);
+    Bsdf made(appearance, at.surface.normal, side_normal, at.surface.entering);
+    made.set_coat_normal(at.surface.coat_normal);
+    return made;
+}
+
+// For what passes, frosted glass is clear.
+Bsdf clear_at(const Interaction& at) {
+    Appearance appearance = at.appearance();
+    appearance.roughness = 0.0F;
+    Bsdf made(appearance, at.surface.normal, at.surface.geometric_normal, at.surface.entering);
     made.set_coat_normal(at.surface.coat_normal);
     return made;
 }
@@ -74,27 +83,38 @@ private:
         return total;
     }
 
-    [[nodiscard]] std::optional<Branch> reflect(const Branch& arriving, const Color3f& weight,
-                                                const Interaction& at) const override {
-        if (!is_mirror(at.appearance()) || at.appearance().unlit ||
-            arriving.reflections >= settings_.mirror_depth) {
-            return std::nullopt;
+    [[nodiscard]] Branches scatter(const Branch& arriving, const Color3f& weight,
+                                   const Interaction& at) const override {
+        const Appearance& appearance = at.appearance();
+        if (appearance.unlit || arriving.reflections >= settings_.mirror_depth) {
+            return {};
         }
-        const auto sample =
-            bsdf_at(at, at.surface.geometric_normal).sample_mirror(-arriving.ray.direction);
-        if (!sample) {
-            return std::nullopt;
+        Branches next;
+        if (is_mirror(appearance)) {
+            next[0] = branch(
+                arriving, weight, at,
+                bsdf_at(at, at.surface.geometric_normal).sample_mirror(-arriving.ray.direction));
         }
-        const Color3f reflected = weight * sample->weight;
-        if (largest(reflected) < min_weight) {
+        if (appearance.transmission > 0.0F) {
+            next[1] =
+                branch(arriving, weight, at, clear_at(at).sample_passage(-arriving.ray.direction));
+        }
+        return next;
+    }
+
+    [[nodiscard]] static std::optional<Branch> branch(const Branch& arriving, const Color3f& weight,
+                                                      const Interaction& at,
+                                                      const std::optional<BsdfSample>& sample) {
+        const Color3f scattered = sample ? weight * sample->weight : Color3f(0.0F);
+        if (largest(scattered) < min_weight) {
             return std::nullopt;
         }
         Branch next = arriving;
-        next.weight = reflected;
+        next.weight = scattered;
         ++next.reflections;
         next.ray.direction = sample->to_light;
         next.ray.origin = at.surface.start(next.ray.direction);
-        next.ray.differentials = after_mirror(arriving.ray, at.moved, sample->facet_normal);
+        next.ray.differentials = after_sample(arriving.ray, at.moved, *sample, 1.0F);
         return next;
     }
 
@@ -108,7 +128,8 @@ private:
 bool has_mirrors(const scene::Scene& scene) {
     return std::any_of(scene.materials.begin(), scene.materials.end(), [](const auto& material) {
         return !material.unlit &&
-               (material.roughness < mirror_roughness || material.roughness_texture.valid());
+               (material.roughness < mirror_roughness || material.roughness_texture.valid() ||
+                material.transmission > 0.0F);
     });
 }
 

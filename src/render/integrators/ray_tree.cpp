@@ -74,14 +74,15 @@ void RayTree::follow(const Branch& branch, const embree::Hit& hit, Seen& seen) {
     } else if (branch.reflections == 1) {
         seen.parts.direct += opacity * branch.weight * shaded.emission;
     }
-    if (const std::optional<Branch> reflected = reflect(branch, opacity * branch.weight, at)) {
-        open_.push_back(*reflected);
+    for (const std::optional<Branch>& next : scatter(branch, opacity * branch.weight, at)) {
+        if (next) {
+            open_.push_back(*next);
+        }
     }
 }
 
-std::optional<RayTree::Branch> RayTree::reflect(const Branch&, const Color3f&,
-                                                const Interaction&) const {
-    return std::nullopt;
+RayTree::Branches RayTree::scatter(const Branch&, const Color3f&, const Interaction&) const {
+    return {};
 }
 
 }  // namespace balcony::render

@@ -4,6 +4,7 @@
 
 // The common part of deterministic integrators.
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -13,7 +14,7 @@ namespace balcony::render {
 
 /// Traces a ray through transparent surfaces and along reflections: Whitted's ray tree
 /// ("An Improved Illumination Model for Shaded Display", 1980). The derived class defines the
-/// radiance and the reflection of a surface.
+/// radiance of a surface, its reflection and what passes through it.
 class RayTree : public Integrator {
 public:
     explicit RayTree(const TracedScene& traced) : tracer_(traced) {}
@@ -25,7 +26,7 @@ protected:
     struct Branch {
         DifferentialRay ray;
         Color3f weight{1.0F};
-        std::size_t reflections = 0;
+        std::size_t reflections = 0;  ///< And passages through glass.
         std::size_t crossings = 0;
     };
 
@@ -36,13 +37,14 @@ protected:
         Color3f direct;   ///< Reflected light of lamps.
     };
 
-    /// Without the branch of reflect().
+    /// A reflected branch, and one that passes through glass, each if there is one.
+    using Branches = std::array<std::optional<Branch>, 2>;
+
+    /// Without the branches of scatter().
     [[nodiscard]] virtual Shaded shade(const DifferentialRay& ray, const Interaction& at) const = 0;
-    /// The reflected branch from a surface, if any. `weight` is the part of the light from this
-    /// surface that reaches the camera.
-    [[nodiscard]] virtual std::optional<Branch> reflect(const Branch& arriving,
-                                                        const Color3f& weight,
-                                                        const Interaction& at) const;
+    /// `weight` is the part of the light from this surface that reaches the camera.
+    [[nodiscard]] virtual Branches scatter(const Branch& arriving, const Color3f& weight,
+                                           const Interaction& at) const;
 
     [[nodiscard]] Seen trace(const DifferentialRay& ray, const embree::Hit& first);
     [[nodiscard]] const SceneTracer& tracer() const { return tracer_; }

@@ -101,6 +101,12 @@ std::optional<BsdfSample> Bsdf::sample_mirror(const V3f& to_viewer) const {
                                                             schlick(normal_.dot(to_viewer)), 1.0F));
 }
 
+std::optional<BsdfSample> Bsdf::sample_passage(const V3f& to_viewer) const {
+    return material().is_mirror() && material().transmits()
+               ? sample_straight(layers_view_from(to_viewer))
+               : std::nullopt;
+}
+
 BsdfSample Bsdf::mirror_sample(const V3f& to_viewer, const Color3f& weight) const {
     BsdfSample sample;
     sample.facet_normal = normal_;

@@ -114,6 +114,10 @@ public:
     /// would point into the surface is reflected by the geometric normal instead.
     [[nodiscard]] std::optional<BsdfSample> sample_mirror(const V3f& to_viewer) const;
 
+    /// Only the light that passes a perfect surface straight on, or refracted, with its whole
+    /// weight; nothing if there is none.
+    [[nodiscard]] std::optional<BsdfSample> sample_passage(const V3f& to_viewer) const;
+
     [[nodiscard]] const BsdfMaterial& material() const {
         const auto* const shared = std::get_if<const BsdfMaterial*>(&material_);
         return shared != nullptr ? **shared : *std::get_if<BsdfMaterial>(&material_);
