@@ -148,8 +148,9 @@ enum class InsideRule : std::uint8_t {
 
 /// A picture of a scene through a camera.
 struct Request {
-    std::string scene;                 ///< The name of a scene file.
-    std::vector<std::string> added{};  ///< Scene files that join it.
+    std::string scene;                  ///< The name of a scene file.
+    std::vector<std::string> added{};   ///< Scene files that join it.
+    std::optional<bool> solid_glass{};  ///< As scene::LoadOptions::solid_glass.
     /// FILE, FILE:NAME, the name of a built-in camera, or scene:NAME for one of the scene. If
     /// empty, the first camera of the scene, or one that shows it well.
     std::string camera{};

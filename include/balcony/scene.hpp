@@ -298,6 +298,10 @@ struct LoadOptions {
     /// it is 683 in a glTF file with lights and emission that Blender 3.4 or later has exported,
     /// and 1 in others: its exporter multiplies lights by 683 lm/W, but not emission.
     std::optional<float> emission_scale{};
+    /// Whether closed, curved objects whose glass has no volume are solid: as Blender's exporter
+    /// writes glass. If empty, they are thin as written, and a warning names them in a file of
+    /// Blender's.
+    std::optional<bool> solid_glass{};
 };
 
 /// Reads a scene file (.glb, .gltf, .obj, .ply, .stl). A part that cannot be used (a missing
@@ -314,6 +318,11 @@ struct LoadOptions {
 /// An error of Kind::internal for a scene that a program has made and that is not consistent:
 /// indices are in range, and what is said to be empty or one per vertex is. Renderers check it.
 [[nodiscard]] Diagnostics check(const Scene& scene);
+
+/// Whether the triangles of an object, including all instances, enclose a volume that they face
+/// away from: every edge is traversed once in each direction. Points at the same position are
+/// merged.
+[[nodiscard]] bool encloses_volume(const Scene& scene, std::uint32_t object);
 
 /// Adds all that another scene has, with its motion, turned to the axes of the first. Objects keep
 /// their names, which may then be the same. The emission scale is that of the scene, unless that is

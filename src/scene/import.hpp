@@ -98,6 +98,9 @@ private:
     std::size_t next_report_ = 0;
 };
 
+/// Treats closed objects of thin glass as LoadOptions::solid_glass says.
+void treat_glass(Import& import);
+
 /// The readers of the formats. They throw ReadError.
 void read_gltf(Import& import);
 void read_obj(Import& import);

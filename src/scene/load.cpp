@@ -126,6 +126,7 @@ void read(Import& import) {
             fmt::format("nothing to render in {}: it has no triangles", in_quotes(file.string())),
             {}, "check that it is the right file; points and lines are not rendered")};
     }
+    treat_glass(import);
     scale_emission(import);
     import.scene.default_light = import.scene.lights.empty() && !has_emission(import.scene);
 }

@@ -27,6 +27,7 @@ const std::map<std::string, std::pair<std::string, std::string>>& examples() {
         {"--duration", {"2.5", ""}},
         {"--time", {"0.5", ""}},
         {"--shutter", {"1/50", "0.02"}},
+        {"--glass", {"solid", ""}},
         {"--inside", {"pass", ""}},
         {"--shutter-shape", {"trapezoid", ""}},
         {"--fps", {"30000/1001", ""}},

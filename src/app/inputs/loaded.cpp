@@ -100,9 +100,9 @@ private:
             return true;
         }
         const auto begin = std::chrono::steady_clock::now();
-        auto scene = load_scene(request_.scene, request_.settings.time, request_.added,
-                                telling(Step::reading), stop_,
-                                {.emission_scale = request_.light.emission_scale});
+        auto scene = load_scene(
+            request_.scene, request_.settings.time, request_.added, telling(Step::reading), stop_,
+            {.emission_scale = request_.light.emission_scale, .solid_glass = request_.solid_glass});
         loaded_.load_seconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         add(found_, scene.diagnostics);

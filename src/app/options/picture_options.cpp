@@ -35,6 +35,13 @@ Value<Place> place() {
     return made;
 }
 
+Value<bool> glass() {
+    return converted<bool>(
+        choice(std::vector<OptionChoice>{{"thin"}, {"solid"}}),
+        [](const std::string& kind) { return kind == "solid"; },
+        [](bool solid) { return std::string(solid ? "solid" : "thin"); });
+}
+
 }  // namespace
 
 Options<Placement> placement_options() {
@@ -67,6 +74,12 @@ Options<Request> scene_options() {
                            "balcony draw, say; may be repeated",
                 .type = OptionType::scene},
                &Request::added),
+         option({.name = "--glass",
+                 .placeholder = "KIND",
+                 .meaning = "closed, curved objects of glass without a volume, as Blender exports "
+                            "them: thin (as written) or solid, which refracts (default: thin, "
+                            "and a warning)"},
+                maybe(glass()), &Request::solid_glass),
          option({.name = "--camera",
                  .letter = "-c",
                  .others = {"--cam"},

@@ -201,6 +201,7 @@ std::shared_ptr<const render::Film> Session::film() const { return state_->film;
 // The scene of the last request may serve this one.
 void Session::State::prepare(const Request& request) {
     const bool same = last && last->scene == request.scene && last->added == request.added &&
+                      last->solid_glass == request.solid_glass &&
                       last->light.lamps == request.light.lamps &&
                       last->light.emission_scale == request.light.emission_scale &&
                       last->settings.time == request.settings.time &&

@@ -15,7 +15,6 @@
 #include "film/sums/film_arrays.hpp"
 #include "render/job/camera_rays.hpp"
 #include "render/probe/probed_scene.hpp"
-#include "shading/geometry/closed_surface.hpp"
 
 namespace balcony::render {
 
@@ -206,7 +205,7 @@ private:
         const std::uint32_t object = scene_.object(hit);
         const auto [known, is_new] = encloses_.try_emplace(object, false);
         if (is_new) {
-            known->second = encloses_volume(scene_.scene(), object);
+            known->second = scene::encloses_volume(scene_.scene(), object);
         }
         return known->second ? std::optional(object) : std::nullopt;
     }

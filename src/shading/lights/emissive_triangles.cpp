@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "images/luminance.hpp"
-#include "shading/geometry/closed_surface.hpp"
 #include "shading/geometry/placed.hpp"
 #include "shading/textures/texture_library.hpp"
 
@@ -90,7 +89,7 @@ void EmissiveTriangles::find_closed_objects() {
     for (std::uint32_t object = 0; object < candidates.size(); ++object) {
         candidates[object] = candidates[object] != 0 &&
                                      boxes[object].size().length() < small * all.size().length() &&
-                                     encloses_volume(*scene_, object)
+                                     scene::encloses_volume(*scene_, object)
                                  ? 1
                                  : 0;
     }

@@ -1,18 +1,15 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-#include "shading/geometry/closed_surface.hpp"
-
 #include <bit>
 #include <unordered_map>
 #include <utility>
 
-namespace balcony::render {
+#include "balcony/scene.hpp"
+
+namespace balcony::scene {
 
 namespace {
-
-using scene::V3d;
-using scene::V3f;
 
 std::uint64_t mixed(std::uint64_t seed, std::uint64_t value) {
     const std::uint64_t product = (seed ^ value) * 0x9e3779b97f4a7c15U;
@@ -76,13 +73,13 @@ private:
 
 }  // namespace
 
-bool encloses_volume(const scene::Scene& scene, std::uint32_t object) {
+bool encloses_volume(const Scene& scene, std::uint32_t object) {
     SurfaceEdges edges;
-    for (const scene::Instance& instance : scene.instances) {
+    for (const Instance& instance : scene.instances) {
         if (instance.object != object) {
             continue;
         }
-        const scene::Mesh& mesh = scene.meshes[instance.mesh.value()];
+        const Mesh& mesh = scene.meshes[instance.mesh.value()];
         const bool mirrored = instance.world_from_mesh.determinant() < 0.0;
         for (const auto& triangle : mesh.triangles) {
             std::array<V3f, 3> corners;
@@ -98,4 +95,4 @@ bool encloses_volume(const scene::Scene& scene, std::uint32_t object) {
     return edges.enclose_volume();
 }
 
-}  // namespace balcony::render
+}  // namespace balcony::scene
