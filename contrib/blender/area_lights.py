@@ -53,6 +53,7 @@ def plane(lamp):
     return made
 
 
+bpy.context.view_layer.update()
 for lamp in [one for one in bpy.context.scene.objects if one.type == "LIGHT" and one.data.type == "AREA"]:
     bpy.context.scene.collection.objects.link(plane(lamp))
     bpy.data.objects.remove(lamp)
