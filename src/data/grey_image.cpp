@@ -62,9 +62,10 @@ Result<std::shared_ptr<const GreyImage>> read_pixels(ImageFile& input, const Fil
 }  // namespace
 
 Result<std::shared_ptr<const GreyImage>> read_grey_image(const File& file) {
-    const Result<std::unique_ptr<ImageFile>> input =
+    Result<std::unique_ptr<ImageFile>> input =
         file.bytes ? ImageFile::open(file.path, *file.bytes) : ImageFile::open(file.path);
-    return input ? read_pixels(**input, file) : no_image(file, input.diagnostics.front());
+    return input ? read_pixels(*images::upright(std::move(*input)), file)
+                 : no_image(file, input.diagnostics.front());
 }
 
 }  // namespace balcony::data

@@ -23,6 +23,31 @@ def write_png(path, rows):
                      + chunk(b"IDAT", zlib.compress(raw)) + chunk(b"IEND", b""))
 
 
+def write_tiff(path, rows, orientation):
+    """Writes rows of (r, g, b) with 8 bits, and how they are seen."""
+    pixels = bytes(value for row in rows for pixel in row for value in pixel)
+    short, long = 3, 4
+    tags = [(256, short, 1, len(rows[0])), (257, short, 1, len(rows)), (258, short, 3, 8),
+            (259, short, 1, 1), (262, short, 1, 2), (273, long, 1, 0),
+            (274, short, 1, orientation), (277, short, 1, 3), (278, short, 1, len(rows)),
+            (279, long, 1, len(pixels))]
+    after = 8 + 2 + 12 * len(tags) + 4
+    values = {258: after, 273: after + 6}
+    directory = b"".join(struct.pack("<HHII", tag, kind, count, values.get(tag, value))
+                         for tag, kind, count, value in tags)
+    path.write_bytes(b"II*\0" + struct.pack("<IH", 8, len(tags)) + directory + bytes(4)
+                     + struct.pack("<3H", 8, 8, 8) + pixels)
+
+
+def turned(rows, orientation):
+    """How rows are seen whose first row is at the right, say (TIFF 6.0, section 8)."""
+    if orientation in (2, 3, 7, 8):
+        rows = [row[::-1] for row in rows]
+    if orientation in (3, 4, 6, 7):
+        rows = rows[::-1]
+    return [list(column) for column in zip(*rows)] if orientation >= 5 else rows
+
+
 class Warp(support.CommandTest):
     def setUp(self):
         super().setUp()
@@ -41,6 +66,17 @@ class Warp(support.CommandTest):
             self.assertEqual((width, height), (64, 32))
             wanted = [[(*pixel, 255) for pixel in row] for row in self.rows]
             self.assertEqual([[tuple(pixel) for pixel in row] for row in rows], wanted, camera)
+
+    def test_a_photo_is_upright(self):
+        for orientation in range(1, 9):
+            write_tiff(self.folder / "photo.tif", self.rows, orientation)
+            wanted = turned(self.rows, orientation)
+            size = f"{len(wanted[0])}x{len(wanted)}"
+            self.run_command("warp", "photo.tif", "--from", "pinhole", "--camera", "pinhole",
+                             "--size", size, "--aspect", "stretch", "-o", "out.png")
+            _, _, rows = support.png_pixels(self.folder / "out.png")
+            self.assertEqual([[tuple(pixel[:3]) for pixel in row] for row in rows], wanted,
+                             orientation)
 
     def test_a_photo_is_not_mirrored(self):
         # The middle of a panorama looks along x; a quarter to its left is 90 degrees to the left.

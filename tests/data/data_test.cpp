@@ -55,11 +55,12 @@ protected:
     /// An image that goes through a file: EXR has colours times alpha, PNG colours and alpha.
     [[nodiscard]] Result<std::shared_ptr<const camera::GreyImage>> image(
         const std::string& name, int width, int height, int channels,
-        const std::vector<float>& values) const {
+        const std::vector<float>& values, int orientation = 1) const {
         const fs::path path = folder_ / name;
         const auto output = OIIO::ImageOutput::create(path.string());
         OIIO::ImageSpec spec(width, height, channels, OIIO::TypeDesc::FLOAT);
         spec.attribute("oiio:UnassociatedAlpha", name.ends_with("png") ? 1 : 0);
+        spec.attribute("Orientation", orientation);
         EXPECT_TRUE(output->open(path.string(), spec));
         EXPECT_TRUE(output->write_image(OIIO::TypeDesc::FLOAT, values.data()));
         output->close();
@@ -211,6 +212,14 @@ TEST_F(Data, GreyIsTheLumaOfColors) {
     ASSERT_TRUE(colors);
     EXPECT_EQ((*colors)->height, 3U);
     EXPECT_EQ((*colors)->values, (std::vector<float>{0.2126F, 0.7152F, 0.0722F}));
+}
+
+TEST_F(Data, AnImageIsUpright) {
+    // What is seen at the left is the first row of the file.
+    const auto turned = image("turned.tif", 1, 2, 1, {0.25F, 0.75F}, 8);
+    ASSERT_TRUE(turned) << to_text(turned.diagnostics);
+    EXPECT_EQ((*turned)->width, 2U);
+    EXPECT_EQ((*turned)->values, (std::vector<float>{0.25F, 0.75F}));
 }
 
 TEST_F(Data, AlphaCountsOnce) {

@@ -5,6 +5,8 @@
 
 #include "balcony/images.hpp"
 
+#include <array>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <random>
@@ -213,6 +215,50 @@ TEST_F(Images, TiledImagesAreReadByRows) {
     ASSERT_TRUE(plain && tiled);
     for (const auto& [begin, end] : {std::pair{0U, 29U}, {5U, 7U}, {15U, 17U}, {28U, 29U}}) {
         EXPECT_EQ(rows_of(**plain, begin, end), rows_of(**tiled, begin, end)) << begin;
+    }
+}
+
+// TIFF 6.0, section 8: where the first row and the first column of the file are seen.
+TEST_F(Images, AnOrientationIsWhereTheFirstRowAndColumnAreSeen) {
+    constexpr std::array<const char*, 8> seen{"abc/def",  "cba/fed",  "fed/cba",  "def/abc",
+                                              "ad/be/cf", "da/eb/fc", "fc/eb/da", "cf/be/ad"};
+    constexpr std::size_t channels = 3;
+    std::vector<std::uint8_t> stored;
+    for (const char letter : std::string_view("abcdef")) {
+        stored.insert(stored.end(), {static_cast<std::uint8_t>(letter), 1, 2});
+    }
+    for (int orientation = 0; orientation <= 9; ++orientation) {
+        const std::filesystem::path file = directory / "turned.tif";
+        const auto output = OIIO::ImageOutput::create(file.string());
+        OIIO::ImageSpec spec(3, 2, channels, OIIO::TypeDesc::UINT8);
+        spec.attribute("Orientation", orientation);
+        ASSERT_TRUE(output->open(file.string(), spec) &&
+                    output->write_image(OIIO::TypeDesc::UINT8, stored.data()) && output->close());
+        auto opened = ImageFile::open(file);
+        ASSERT_TRUE(opened);
+        const bool known = 1 <= orientation && orientation <= 8;
+        EXPECT_EQ((*opened)->orientation(), known ? orientation : 1);
+        const std::unique_ptr<ImageFile> image = upright(std::move(*opened));
+        EXPECT_EQ(image->orientation(), 1);
+        std::string letters;
+        std::string from_floats;
+        for (std::size_t y = 0; y < image->height(); ++y) {
+            std::vector<std::uint8_t> row(image->width() * channels);
+            ASSERT_FALSE(image->read_rows(y, y + 1, row));
+            const std::vector<float> floats = rows_of(*image, y, y + 1);
+            letters += y > 0 ? "/" : "";
+            from_floats += y > 0 ? "/" : "";
+            for (std::size_t x = 0; x < row.size(); x += channels) {
+                letters += static_cast<char>(row[x]);
+                from_floats += static_cast<char>(std::lround(255.0F * floats[x]));
+                EXPECT_EQ(row[x + 2], 2);
+            }
+        }
+        EXPECT_EQ(letters, seen[known ? static_cast<std::size_t>(orientation) - 1 : 0])
+            << orientation;
+        EXPECT_EQ(from_floats, letters);
+        std::vector<float> row(image->width() * channels);
+        EXPECT_TRUE(image->read_rows(image->height(), image->height() + 1, row));
     }
 }
 

@@ -28,12 +28,14 @@ constexpr double degree = std::numbers::pi / 180.0;
 // A picture file of three floats per pixel, removed at the end.
 class PictureFile {
 public:
-    PictureFile(const std::string& name, int width, int height, const std::vector<float>& values)
+    PictureFile(const std::string& name, int width, int height, const std::vector<float>& values,
+                int orientation = 1)
         : path_(fs::path(testing::TempDir()) / name) {
         const auto output = OIIO::ImageOutput::create(path_.string());
         const bool floats = path_.extension() != ".png";
-        const OIIO::ImageSpec spec(width, height, 3,
-                                   floats ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8);
+        OIIO::ImageSpec spec(width, height, 3,
+                             floats ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8);
+        spec.attribute("Orientation", orientation);
         EXPECT_TRUE(output && output->open(path_.string(), spec) &&
                     output->write_image(OIIO::TypeDesc::FLOAT, values.data()) && output->close());
     }
@@ -64,6 +66,15 @@ TEST(Environment, ReadsFilesOfFloatsAsLight) {
         EXPECT_NEAR(left.z, 4.0F, 0.04F);
         EXPECT_NEAR(lit_by(read->scaled(3.0F)).radiance_from({0.0F, 0.0F, 1.0F}).x, 24.0F, 0.2F);
     }
+}
+
+TEST(Environment, IsUpright) {
+    // What is seen at the left is the first row of the file.
+    const PictureFile file("turned.tif", 1, 2, {1.0F, 1.0F, 1.0F, 8.0F, 8.0F, 8.0F}, 8);
+    const Result<Environment> read = Environment::load(file.path());
+    ASSERT_TRUE(read) << to_text(read.diagnostics);
+    EXPECT_EQ(lit_by(*read).radiance_from({0.0F, 0.0F, -1.0F}).x, 1.0F);
+    EXPECT_EQ(lit_by(*read).radiance_from({0.0F, 0.0F, 1.0F}).x, 8.0F);
 }
 
 // Around the vertical axis, from x towards -z in the scene, as longitudes count.

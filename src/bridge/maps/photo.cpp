@@ -50,11 +50,12 @@ struct PhotoForm {
 }  // namespace
 
 Result<Photo> Photo::load(const std::filesystem::path& file) {
-    const Result<std::unique_ptr<ImageFile>> opened = ImageFile::open(file);
+    Result<std::unique_ptr<ImageFile>> opened = ImageFile::open(file);
     if (!opened) {
         return no_photo(file, opened.diagnostics.front());
     }
-    ImageFile& input = **opened;
+    const std::unique_ptr<ImageFile> image = images::upright(std::move(*opened));
+    ImageFile& input = *image;
     auto made = std::make_shared<Pixels>();
     made->width = input.width();
     made->height = input.height();

@@ -125,6 +125,10 @@ public:
     std::vector<std::string> channel_names() const override;
     bool is_whole_picture() const override;
     std::optional<std::size_t> unassociated_alpha() const override;
+    int orientation() const override {
+        const int stored = spec_.get_int_attribute("Orientation", 1);
+        return 1 <= stored && stored <= 8 ? stored : 1;
+    }
 
     std::optional<Diagnostic> read_rows(std::size_t begin, std::size_t end,
                                         std::span<float> values) override {

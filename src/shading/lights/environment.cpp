@@ -103,12 +103,13 @@ Diagnostic unusable(const std::filesystem::path& file, const Diagnostic& reason)
 
 Result<Environment> Environment::load(const std::filesystem::path& file,
                                       const std::stop_token& stop) {
-    const Result<std::unique_ptr<images::ImageFile>> opened = images::ImageFile::open(file);
+    Result<std::unique_ptr<images::ImageFile>> opened = images::ImageFile::open(file);
     if (!opened) {
         return unusable(file, opened.diagnostics.front());
     }
-    images::ImageFile& image = **opened;
     try {
+        const std::unique_ptr<images::ImageFile> input = images::upright(std::move(*opened));
+        images::ImageFile& image = *input;
         const std::size_t width = image.width();
         const std::size_t height = image.height();
         std::vector<Color3f> texels;
