@@ -21,7 +21,8 @@ struct DisplayFormat {
     bool has_alpha = true;
     int bits = 8;  ///< Bits per channel by default.
     int max_bits = 8;
-    std::size_t max_side = 0;  ///< In pixels.
+    std::size_t max_side = 0;    ///< In pixels.
+    bool has_resolution = true;  ///< Whether a file says how large its pixels are in print.
 };
 
 [[nodiscard]] std::span<const DisplayFormat> display_formats();
@@ -33,6 +34,7 @@ struct DisplaySize {
     std::size_t width = 0;
     std::size_t height = 0;
     std::size_t channels = 0;  ///< 3, or 4 with straight alpha, which the format must have.
+    double dpi = 0.0;          ///< As images::Raster::dpi; of no effect without a resolution.
 };
 
 /// An error if a picture is larger than the format allows.

@@ -264,6 +264,7 @@ struct DisplayOptions {
     /// Colours that have an exact level, and pixels without light, such as frames, are rounded to
     /// the nearest level.
     bool dither = true;
+    double dpi = 0.0;  ///< Pixels per inch of the print; 0 if that is not known.
 };
 
 /// The exposure, in quarter stops, for a film whose light is far from the range of a screen, as in

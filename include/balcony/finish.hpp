@@ -21,6 +21,7 @@ struct Finish {
     double exposure = 0.0;    ///< In stops.
     ViewTransform view = ViewTransform::neutral;
     bool dither = true;
+    double dpi = 0.0;  ///< As DisplayOptions::dpi.
 
     /// Null for EXR. A stream is PNG.
     [[nodiscard]] const DisplayFormat* display_format() const;

@@ -104,6 +104,7 @@ struct Raster {
     std::size_t height = 0;
     std::size_t channels = 0;  ///< 3, or 4 with straight alpha.
     Samples samples;
+    double dpi = 0.0;  ///< Pixels per inch of its print; 0 if that is not known.
 };
 
 /// The bytes of a file. The format is "png", "jpeg", "webp" or "tiff"; JPEG has no alpha, and JPEG

@@ -34,7 +34,7 @@ namespace balcony::app {
 [[nodiscard]] Options<StereoRequest> stereo_options();
 /// --exposure, --view-transform, --ambient and --background
 [[nodiscard]] Options<Request> look_options();
-/// --layers, --denoise, --denoiser, --no-dither and --texture-memory
+/// --layers, --denoise, --denoiser, --no-dither, --dpi and --texture-memory
 [[nodiscard]] Options<Request> film_options();
 /// --time-limit, --save-every, --checkpoint-every, --film-memory, --resume and --shard
 [[nodiscard]] Options<JobRequest> job_options();

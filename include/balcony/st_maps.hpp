@@ -121,9 +121,9 @@ private:
 /// Warps a photo: each pixel is the mean of the part of the photo that it shows, in linear light,
 /// filtered by OpenImageIO, and transparent as far as the photo does not show it. The file's
 /// extension says the format: .exr has linear light, the others are sRGB, limited to 0 .. 1. A deep
-/// photo gives a deep file if the format permits it.
+/// photo gives a deep file if the format permits it, which says `dpi`, as images::Raster::dpi.
 [[nodiscard]] StMapWritten warp_photo(const StMap& map, const Photo& photo,
-                                      const std::filesystem::path& file,
+                                      const std::filesystem::path& file, double dpi = 0.0,
                                       const std::stop_token& stop = {});
 
 }  // namespace balcony::bridge

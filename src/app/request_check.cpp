@@ -75,6 +75,7 @@ Diagnostics out_of_range(const Request& request) {
                 {"Request::job.time_limit", holds_if_any(job.time_limit, is_positive)},
                 {"Request::job.save_every", holds_if_any(job.save_every, is_positive)},
                 {"Request::job.checkpoint_every", holds_if_any(job.checkpoint_every, is_positive)},
+                {"Request::dpi", holds_if_any(request.dpi, is_positive)},
                 {"Request::job.film_memory", holds_if_any(job.film_memory, is_positive)},
                 {"Request::job.shard", holds_if_any(job.shard, is_shard)}});
     found.insert(found.end(), more.begin(), more.end());
@@ -113,6 +114,7 @@ Diagnostics check_request(const Request& request) {
 Diagnostics check_frames(const AnimationRequest& request) {
     const auto are_frames = [](const FrameNumbers& frames) {
         return !frames.empty() && std::all_of(frames.begin(), frames.end(), is_frame) &&
+    add(found, check_dpi(request.dpi, request.output));
                std::adjacent_find(frames.begin(), frames.end(), std::greater_equal<>()) ==
                    frames.end();
     };

@@ -65,6 +65,7 @@ const std::map<std::string, std::pair<std::string, std::string>>& examples() {
         {"--no-dither", {"true", ""}},
         {"--texture-memory", {"512", "512MiB"}},
         {"--time-limit", {"1.5min", "90s"}},
+        {"--dpi", {"300", ""}},
         {"--save-every", {"10s", ""}},
         {"--checkpoint-every", {"off", ""}},
         {"--film-memory", {"4GiB", ""}},

@@ -2,9 +2,26 @@
 # SPDX-License-Identifier: Apache-2.0
 """Several scenes, standard output, and the formats of pictures."""
 
+import struct
+
 import support
 
 SMALL = ("--size", "8x6", "-s", "1")
+
+
+def tiff_tags(data):
+    """The numbers of the first directory of a little-endian TIFF file."""
+    (at,) = struct.unpack_from("<I", data, 4)
+    (count,) = struct.unpack_from("<H", data, at)
+    tags = {}
+    for i in range(count):
+        tag, kind, _, place = struct.unpack_from("<HHII", data, at + 2 + 12 * i)
+        if kind == 5:
+            part, whole = struct.unpack_from("<II", data, place)
+            tags[tag] = part / whole
+        else:
+            tags[tag] = place & 0xffff if kind == 3 else place
+    return tags
 
 
 class Outputs(support.CommandTest):
@@ -17,6 +34,34 @@ class Outputs(support.CommandTest):
                      helps=".png, .jpg, .jpeg, .webp, .tif, .tiff, or .exr")
         self.refused("render", "scene.obj", "--size", "20000x2", "-o", "p.webp", code=2,
                      says="at most 16383 pixels")
+
+    def test_dpi(self):
+        """The resolution of the print is where each format keeps it."""
+        def written(name, *words):
+            self.run_command("render", "scene.obj", *SMALL, *words, "-o", name)
+            return (self.folder / name).read_bytes()
+
+        for dpi in (72, 300, 84.67):
+            words = ("--dpi", str(dpi))
+            png = written("p.png", *words)
+            at = png.index(b"pHYs") + 4
+            # Whole pixels per metre.
+            per_metre = round(dpi / 0.0254)
+            self.assertEqual(struct.unpack_from(">IIB", png, at), (per_metre, per_metre, 1))
+            jpeg = written("p.jpg", *words)
+            self.assertEqual(jpeg[6:11], b"JFIF\0")
+            # Whole pixels per inch.
+            self.assertEqual(struct.unpack_from(">BHH", jpeg, 13), (1, round(dpi), round(dpi)))
+            tags = tiff_tags(written("p.tif", *words))
+            self.assertEqual(tags[296], 2)
+            for tag in (282, 283):
+                self.assertAlmostEqual(tags[tag], dpi, delta=1e-5 * dpi)
+        # Whole pixels per centimetre are nearer.
+        self.assertEqual(struct.unpack_from(">BHH", written("p.jpg", "--dpi", "12.7"), 13), (2, 5, 5))
+        self.assertNotIn(b"pHYs", written("p.png"))
+        for name in ("p.webp", "p.exr"):
+            self.refused("render", "scene.obj", "--dpi", "300", "-o", name, code=2,
+                         says="--dpi", helps=".tif")
 
     def test_jpeg_says_that_it_loses_transparency(self):
         _, err = self.run_command("render", "scene.obj", *SMALL, "-c", "my.cam:above", "-o", "p.jpg",

@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "app/options/amounts.hpp"
+#include "balcony/finish.hpp"
 #include "balcony/picture_options.hpp"
 
 namespace balcony::app {
@@ -63,6 +64,20 @@ Value<std::size_t> texture_bytes() {
 
 }  // namespace
 
+Diagnostics check_dpi(const std::optional<double>& dpi, const std::filesystem::path& output) {
+    if (!dpi || output.empty()) {
+        return {};
+    }
+    const render::DisplayFormat* const format = render::Finish{.output = output}.display_format();
+    if (format != nullptr && format->has_resolution) {
+        return {};
+    }
+    return {error(Kind::usage,
+                  fmt::format("--dpi: a file '{}' does not say how large it is in print",
+                              output.extension().string()),
+                  "write a .png, .jpg or .tif file, or leave out --dpi")};
+}
+
 Options<Request> film_options() {
     return {{custom_option<Request>(
                  {.name = "--layers",
@@ -86,6 +101,7 @@ Options<Request> film_options() {
                    .meaning = "round the colours of files with 8 bits instead of dithering them",
                    .effect = Effect::display},
                   false, &Request::dither),
+             dpi_option(&Request::dpi),
              option({.name = "--texture-memory",
                      .placeholder = "SIZE",
                      .meaning = "limit for the textures in memory, in MiB or with a unit (MiB, "

@@ -22,12 +22,15 @@ bool is_stream(const fs::path& output) { return output == "-"; }
 }  // namespace
 
 Finish finish_of(const Request& request) {
+    constexpr double millimeters_per_inch = 25.4;
+    const std::optional<double> pixel = request.pixel_millimeters();
     return {.output = request.output,
             .denoiser = request.denoise ? std::optional(request.denoiser) : std::nullopt,
             .threads = request.settings.threads,
             .exposure = request.exposure.value_or(0.0),
             .view = request.view_transform(),
-            .dither = request.dither};
+            .dither = request.dither,
+            .dpi = request.dpi.value_or(pixel ? millimeters_per_inch / *pixel : 0.0)};
 }
 
 Result<camera::Picture> stereo_view(const Request& request, camera::Picture picture) {
@@ -82,8 +85,10 @@ std::optional<render::DenoiseSummary> try_to_denoise(const Finish& finish, rende
 }
 
 Diagnostics write(const Finish& finish, const render::Film& film, const Observer& observer) {
-    const render::DisplayOptions options{
-        .exposure = finish.exposure, .view = finish.view, .dither = finish.dither};
+    const render::DisplayOptions options{.exposure = finish.exposure,
+                                         .view = finish.view,
+                                         .dither = finish.dither,
+                                         .dpi = finish.dpi};
     if (!is_stream(finish.output)) {
         return render::write(film, finish.output, options);
     }

@@ -55,8 +55,9 @@ std::vector<Sample> display_samples(const std::vector<float>& values, bool alpha
 }
 
 Diagnostics write_display(const std::vector<float>& values, const StMap& map, bool deep,
-                          const render::DisplayFormat& format, const std::filesystem::path& file) {
-    const render::DisplaySize size{map.width(), map.height(), format.has_alpha ? 4U : 3U};
+                          const render::DisplayFormat& format, double dpi,
+                          const std::filesystem::path& file) {
+    const render::DisplaySize size{map.width(), map.height(), format.has_alpha ? 4U : 3U, dpi};
     const bool wide = (deep ? format.max_bits : format.bits) > 8;
     const auto bytes =
         wide
@@ -68,7 +69,7 @@ Diagnostics write_display(const std::vector<float>& values, const StMap& map, bo
 }  // namespace
 
 StMapWritten warp_photo(const StMap& map, const Photo& photo, const std::filesystem::path& file,
-                        const std::stop_token& stop) {
+                        double dpi, const std::stop_token& stop) {
     const Photo::Pixels& pixels = photo.pixels();
     const auto filtered =
         images::FilteredImage::make({pixels.width, pixels.height, pixels.values}, map.closes());
@@ -95,7 +96,7 @@ StMapWritten warp_photo(const StMap& map, const Photo& photo, const std::filesys
         },
         stop);
     if (written.complete) {
-        written.problems = write_display(values, map, photo.is_deep(), *format, file);
+        written.problems = write_display(values, map, photo.is_deep(), *format, dpi, file);
     }
     return written;
 }

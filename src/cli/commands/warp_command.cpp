@@ -24,11 +24,13 @@ struct WarpOptions {
     std::string photo;
     PhotoRequest view;
     std::string output;
+    std::optional<double> dpi;
     Manner manner;
 };
 
 void warp_file(const WarpOptions& options, Answer& answer) {
-    if (!answer.add(render::check_output(options.output))) {
+    if (!answer.add(render::check_output(options.output)) ||
+        !answer.add(app::check_dpi(options.dpi, options.output))) {
         return;
     }
     const auto photo = bridge::Photo::load(options.photo);
@@ -42,8 +44,10 @@ void warp_file(const WarpOptions& options, Answer& answer) {
     inputs.emplace_back(options.photo);
     if (answer.add(map.diagnostics) && answer.add(app::check_overwrites(options.output, inputs))) {
         const Interruptible work;
-        add_written(answer, *map, warp_photo(*map, *photo, options.output, work.token()),
-                    options.output);
+        add_written(
+            answer, *map,
+            warp_photo(*map, *photo, options.output, options.dpi.value_or(0.0), work.token()),
+            options.output);
     }
 }
 
@@ -75,6 +79,7 @@ void add_warp_command(CLI::App& app, ExitCode& code) {
         all.rows.push_back(output_option(&WarpOptions::output,
                                          "output file: .png, .jpg, .webp, .tif, or .exr", true));
         all.add(&WarpOptions::view, photo_options());
+        all.rows.push_back(app::dpi_option(&WarpOptions::dpi));
         all.add(manner_options(&WarpOptions::manner));
         command.add(std::move(all), options);
         command.footer(

@@ -97,7 +97,8 @@ Result<std::vector<std::uint8_t>> encode(const Film& film, const DisplayFormat& 
                      fmt::format("use 8{} bits and a finite exposure",
                                  format.max_bits == 16 ? " or 16" : ""));
     }
-    const DisplaySize size{film.window.width, film.window.height, format.has_alpha ? 4U : 3U};
+    const DisplaySize size{film.window.width, film.window.height, format.has_alpha ? 4U : 3U,
+                           options.dpi};
     return bits == 8
                ? encode(to_samples<std::uint8_t>(film, options, format.has_alpha), size, format)
                : encode(to_samples<std::uint16_t>(film, options, format.has_alpha), size, format);

@@ -23,7 +23,7 @@ constexpr std::array formats{
     DisplayFormat{".png", "png", true, 8, 16, any_side},
     DisplayFormat{".jpg", "jpeg", false, 8, 8, 65535},
     DisplayFormat{".jpeg", "jpeg", false, 8, 8, 65535},
-    DisplayFormat{".webp", "webp", true, 8, 8, 16383},
+    DisplayFormat{".webp", "webp", true, 8, 8, 16383, false},
     DisplayFormat{".tif", "tiff", true, 16, 16, any_side},
     DisplayFormat{".tiff", "tiff", true, 16, 16, any_side},
 };
@@ -33,7 +33,8 @@ Result<std::vector<std::uint8_t>> encode(const images::Samples& samples, const D
     if (Diagnostics found = check_size(format, size.width, size.height); has_errors(found)) {
         return found;
     }
-    return images::encode({size.width, size.height, size.channels, samples}, format.encoder);
+    return images::encode({size.width, size.height, size.channels, samples, size.dpi},
+                          format.encoder);
 }
 
 }  // namespace

@@ -79,7 +79,7 @@ Diagnostic not_a_shard(const fs::path& file, std::string_view reason) {
 auto members_of_shard(auto& heading) {
     auto& finish = heading.finish;
     return std::tie(heading.shard, heading.facts, heading.frame, finish.output, finish.exposure,
-                    finish.view, finish.dither, finish.denoiser);
+                    finish.view, finish.dither, finish.dpi, finish.denoiser);
 }
 auto properties_of(auto& film) {
     return std::tie(film.width, film.height, film.window, film.background, film.ambient,
