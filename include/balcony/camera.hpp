@@ -101,6 +101,8 @@ public:
         /// formulas of the camera. Without it, every ray meets the scene at time t.
         std::optional<Formula> time{};
         double aspect = 16.0 / 9.0;  ///< Width divided by height.
+        /// Width and height of the picture in scene units, if it has a scale.
+        std::optional<std::array<double, 2>> sides{};
         Axes axes = Axes::z_up;
         SourceSpan lens_span{};  ///< Where a file has the lens, for problems with the scene.
         /// How a file writes its stages, for texts about the camera.

@@ -147,6 +147,8 @@ public:
     Picture(Camera camera);
     /// The same, with another treatment of pictures of another aspect.
     [[nodiscard]] Picture with_fit(Fit fit) const;
+        /// Width and height in scene units, if it has a scale.
+        std::optional<std::array<double, 2>> sides{};
     /// The same, with another turn of all its cameras.
     [[nodiscard]] Picture with_turn(const Turn& turn) const;
     /// The same with all its cameras as views of a stereo pair. It is an error if one of them is
@@ -157,6 +159,8 @@ public:
     [[nodiscard]] const Parts& parts() const { return *parts_; }
     /// The aspect that it is made for: 16/9 if it adapts to any.
     [[nodiscard]] double aspect() const { return parts_->aspect.value_or(default_aspect); }
+    /// The same, with another default size in pixels.
+    [[nodiscard]] Picture with_size(const std::array<std::size_t, 2>& size) const;
 
     /// The single camera from which it was made; null if it was made from layers.
     [[nodiscard]] const Camera* only_camera() const;
@@ -168,6 +172,10 @@ public:
 private:
     using TurnedCameras = std::map<const Camera::Parts*, Camera>;
     [[nodiscard]] Picture with_turn(const Turn& turn, TurnedCameras& cameras) const;
+    /// Its width and height in scene units: its own, or those of a back layer that fills a picture
+    /// without an aspect. Nothing if it has no scale.
+    [[nodiscard]] std::optional<std::array<double, 2>> sides() const;
+
 
     explicit Picture(Parts parts) : parts_(std::make_shared<const Parts>(std::move(parts))) {}
     std::shared_ptr<const Parts> parts_;

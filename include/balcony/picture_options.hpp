@@ -54,6 +54,9 @@ namespace balcony::app {
 /// All of an animation but its scene, --output among them.
 [[nodiscard]] Options<AnimationRequest> animation_options();
 
+/// The name of a unit of length, in metres.
+[[nodiscard]] Value<double> unit_of_length();
+
 /// --time in seconds, at the end of a path of members.
 template <class Target, class First, class... More>
 [[nodiscard]] Option<Target> time_option(double largest, First Target::*first, More... more) {
@@ -75,6 +78,31 @@ template <class Target>
                   .type = OptionType::setting},
                  set);
 }
+
+/// --unit, of a scene
+template <class Target>
+[[nodiscard]] Option<Target> unit_option(std::optional<double> Target::*meters_per_unit) {
+    return option({.name = "--unit",
+                   .others = {"--units"},
+                   .placeholder = "NAME",
+                   .meaning = "how long a unit of the scene is: mm, cm, m, km, in or ft (default: "
+                              "what its file says, otherwise m)"},
+                  maybe(unit_of_length()), meters_per_unit);
+}
+
+/// --dpi
+template <class Target>
+[[nodiscard]] Option<Target> dpi_option(std::optional<double> Target::*dpi) {
+    return option({.name = "--dpi",
+                   .others = {"--ppi", "--density"},
+                   .placeholder = "NUMBER",
+                   .meaning = "pixels per inch of the print, which PNG, JPEG and TIFF files name",
+                   .effect = Effect::display},
+                  maybe(number(1.0, 65535.0, "give 1 to 65535 pixels per inch, such as 300")), dpi);
+}
+/// An error if an output has no place for a resolution.
+[[nodiscard]] Diagnostics check_dpi(const std::optional<double>& dpi,
+                                    const std::filesystem::path& output);
 
 /// The seed of random numbers.
 [[nodiscard]] Value<std::uint32_t> seed_value();

@@ -151,6 +151,8 @@ struct Request {
     std::string scene;                  ///< The name of a scene file.
     std::vector<std::string> added{};   ///< Scene files that join it.
     std::optional<bool> solid_glass{};  ///< As scene::LoadOptions::solid_glass.
+    /// The length of the scene's unit in metres; if empty, what its file says.
+    std::optional<double> meters_per_unit{};
     /// FILE, FILE:NAME, the name of a built-in camera, or scene:NAME for one of the scene. If
     /// empty, the first camera of the scene, or one that shows it well.
     std::string camera{};
@@ -159,6 +161,8 @@ struct Request {
     InsideRule inside = InsideRule::report;
 
     SizeRequest size{};
+    /// The size of a pixel on the surface for which the camera has a scale, in place of a size.
+    std::optional<double> mm_per_pixel{};
     Crop crop{};
     std::optional<std::size_t> samples{};  ///< Per pixel; if empty, it depends on the noise level.
     /// All others; what the members beside it say takes the place of what it says.
@@ -173,6 +177,9 @@ struct Request {
     /// would see what belongs to the other one.
     std::optional<render::ViewTransform> view{};
     bool dither = true;
+    /// Pixels per inch of the print, which the file names; if empty, those of a print in the size
+    /// of the surface, if that is known.
+    std::optional<double> dpi{};
     render::LayerSet layers = render::default_layers();  ///< Of an EXR file.
     bool denoise = false;
     render::Denoiser denoiser = render::Denoiser::automatic;
@@ -181,6 +188,8 @@ struct Request {
     std::filesystem::path output{};
 
     [[nodiscard]] render::ViewTransform view_transform() const;
+    /// Millimetres of the surface in a pixel of the scaled picture; nothing if that is not asked.
+    [[nodiscard]] std::optional<double> pixel_millimeters() const;
 };
 
 /// The number of samples of a pixel unless a request names it: without and with a noise level.

@@ -269,6 +269,7 @@ struct Scene {
     float emission_scale = 1.0F;
     Axes axes = Axes::y_up;
     double meters_per_unit = 1.0;  ///< According to the format; 1 if unspecified.
+    bool has_unit = false;         ///< Whether the format specifies it.
     std::vector<Shared<Mesh>> meshes;
     std::vector<Instance> instances;
     std::vector<Object> objects;

@@ -101,6 +101,10 @@ render::ViewTransform Request::view_transform() const {
                                               : render::ViewTransform::neutral);
 }
 
+std::optional<double> Request::pixel_millimeters() const {
+    return mm_per_pixel ? std::optional(*mm_per_pixel / crop.scale) : std::nullopt;
+}
+
 Result<render::Settings> settings_of(const Request& request) {
     Result<render::Settings> made{request.settings};
     render::Settings& settings = *made;

@@ -13,6 +13,7 @@
 #include "app/words.hpp"
 #include "balcony/app.hpp"
 #include "balcony/inputs.hpp"
+#include "balcony/picture_options.hpp"
 
 namespace balcony::app {
 
@@ -23,6 +24,7 @@ bool is_finite(double value) { return std::isfinite(value); }
 bool is_factor(float value) {
     return 0.0F <= value && value <= static_cast<float>(scene::max_quantity);
 }
+bool is_length(double value) { return is_positive(value) && is_finite(value); }
 bool is_frame(std::size_t number) { return number <= max_frame; }
 bool is_side(std::size_t pixels) { return 1 <= pixels && pixels <= max_side; }
 bool is_shard(const render::Shard& shard) {
@@ -59,9 +61,11 @@ Diagnostics out_of_range(const Request& request) {
     const JobRequest& job = request.job;
     const LightRequest& light = request.light;
     Diagnostics found = check_size(request.size);
+    add(found, check_unit(request.meters_per_unit));
     const Diagnostics more =
         broken({{"Request::crop.scale", is_scale(request.crop.scale)},
                 {"Request::crop.corners", holds_if_any(request.crop.corners, are_corners)},
+                {"Request::mm_per_pixel", holds_if_any(request.mm_per_pixel, is_length)},
                 {"Request::samples", request.samples != 0U},
                 {"Request::settings.time", is_finite(request.settings.time)},
                 {"Request::light.rotation", is_finite(light.rotation)},
@@ -71,11 +75,11 @@ Diagnostics out_of_range(const Request& request) {
                  is_finite(request.shutter.duration) && request.shutter.duration >= 0.0},
                 {"Request::shutter.rate", is_rate(request.shutter.rate)},
                 {"Request::stereo.formats", request.stereo.formats.size() <= 2},
+                {"Request::dpi", holds_if_any(request.dpi, is_positive)},
                 {"Request::exposure", holds_if_any(request.exposure, is_finite)},
                 {"Request::job.time_limit", holds_if_any(job.time_limit, is_positive)},
                 {"Request::job.save_every", holds_if_any(job.save_every, is_positive)},
                 {"Request::job.checkpoint_every", holds_if_any(job.checkpoint_every, is_positive)},
-                {"Request::dpi", holds_if_any(request.dpi, is_positive)},
                 {"Request::job.film_memory", holds_if_any(job.film_memory, is_positive)},
                 {"Request::job.shard", holds_if_any(job.shard, is_shard)}});
     found.insert(found.end(), more.begin(), more.end());
@@ -87,6 +91,10 @@ Diagnostics out_of_range(const Request& request) {
 Diagnostics check_size(const SizeRequest& size) {
     return broken({{"SizeRequest::width", holds_if_any(size.width, is_side)},
                    {"SizeRequest::height", holds_if_any(size.height, is_side)}});
+}
+
+Diagnostics check_unit(const std::optional<double>& meters_per_unit) {
+    return broken({{"the length of a unit", holds_if_any(meters_per_unit, is_length)}});
 }
 
 Diagnostics check_request(const Request& request) {
@@ -107,14 +115,18 @@ Diagnostics check_request(const Request& request) {
                                                                               : "--fit"),
                               "add --camera FILE or the name of a built-in camera"));
     }
+    if (request.mm_per_pixel && (request.size.width || request.size.height)) {
+        found.push_back(error(Kind::usage, "--mm-per-pixel and a size in pixels exclude each other",
+                              "leave out one of them"));
+    }
     add(found, check_placement(request.placement, true));
+    add(found, check_dpi(request.dpi, request.output));
     return found;
 }
 
 Diagnostics check_frames(const AnimationRequest& request) {
     const auto are_frames = [](const FrameNumbers& frames) {
         return !frames.empty() && std::all_of(frames.begin(), frames.end(), is_frame) &&
-    add(found, check_dpi(request.dpi, request.output));
                std::adjacent_find(frames.begin(), frames.end(), std::greater_equal<>()) ==
                    frames.end();
     };

@@ -11,6 +11,7 @@
 namespace balcony::app {
 
 [[nodiscard]] Diagnostics check_size(const SizeRequest& size);
+[[nodiscard]] Diagnostics check_unit(const std::optional<double>& meters_per_unit);
 /// Those of an animation besides its picture's.
 [[nodiscard]] Diagnostics check_frames(const AnimationRequest& request);
 

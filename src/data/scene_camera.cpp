@@ -4,6 +4,8 @@
 #include "balcony/scene_camera.hpp"
 
 #include <algorithm>
+#include <array>
+#include <optional>
 
 #include "balcony/make_stage.hpp"
 
@@ -54,12 +56,15 @@ Result<camera::Camera> make_camera(const scene::Camera& camera, Axes axes) {
     if (has_errors(found)) {
         return found;
     }
+    const std::array sides{2.0 * camera.half_height * camera.aspect, 2.0 * camera.half_height};
+    const bool has_scale = camera.projection == scene::Projection::orthographic;
     return camera::Camera::make({.name = camera.name,
                                  .arrangers = {},
                                  .eye = {*mapper, {}, *eye, {}},
                                  .toward = camera::Path{*mapper, {}, *toward, {}},
                                  .look = *look,
                                  .aspect = camera.aspect,
+                                 .sides = has_scale ? std::optional(sides) : std::nullopt,
                                  .axes = axes});
 }
 

@@ -5,6 +5,7 @@
 
 #include "balcony/scene_camera.hpp"
 
+#include <array>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -89,6 +90,17 @@ TEST(SceneCamera, OrthographicRaysAreParallel) {
             }
         }
     }
+}
+
+TEST(SceneCamera, HasAScaleIfItIsOrthographic) {
+    const scene::Camera flat = tilted_camera(scene::Projection::orthographic, 1.0);
+    const auto made = make_camera(flat, Axes::y_up);
+    ASSERT_TRUE(made);
+    EXPECT_EQ(made->parts().sides,
+              (std::array{2.0 * flat.half_height * flat.aspect, 2.0 * flat.half_height}));
+    const auto deep = make_camera(tilted_camera(scene::Projection::perspective, 1.0), Axes::y_up);
+    ASSERT_TRUE(deep);
+    EXPECT_FALSE(deep->parts().sides);
 }
 
 }  // namespace

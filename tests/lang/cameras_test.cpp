@@ -195,6 +195,14 @@ TEST(Statements, AspectAndAxes) {
     EXPECT_EQ(camera.parts().axes, Axes::y_up);
 }
 
+TEST(Statements, AnAspectMayBeTheSidesInSceneUnits) {
+    const camera::Camera sized = made("aspect (6, 1.5) map u = 0 .. 1, v = 0 .. 1 eye plane");
+    EXPECT_EQ(sized.parts().aspect, 4.0);
+    EXPECT_EQ(sized.parts().sides, (std::array{6.0, 1.5}));
+    EXPECT_EQ(camera::Picture(sized).parts().sides, (std::array{6.0, 1.5}));
+    EXPECT_FALSE(made("aspect 4 map u = 0 .. 1, v = 0 .. 1 eye plane").parts().sides);
+}
+
 TEST(Statements, LookDefaultsToRelativeOrNormal) {
     EXPECT_TRUE(made("map u = 0 .. 1, v = square eye point toward plane((1, 0, 0))")
                     .parts()

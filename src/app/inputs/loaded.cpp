@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/inputs/placement.hpp"
+#include "app/inputs/true_scale.hpp"
 #include "app/words.hpp"
 #include "balcony/inputs.hpp"
 #include "balcony/rays.hpp"
@@ -86,6 +87,10 @@ public:
                           : load_picture(request_.camera, request_.set, *loaded_.scene, stop_);
             add(found_, picture.diagnostics);
         }
+        if (picture) {
+            picture = at_true_scale(request_, *loaded_.scene, *std::move(picture.value));
+            add(found_, picture.diagnostics);
+        }
         return picture ? std::optional(picture->with_fit(request_.size.fit)) : std::nullopt;
     }
 
@@ -109,6 +114,7 @@ private:
         if (!scene) {
             return false;
         }
+        set_unit(*scene, request_.meters_per_unit);
         if (const auto& lamps = request_.light.lamps; !lamps.empty()) {
             scene->lights.insert(scene->lights.end(), lamps.begin(), lamps.end());
             scene->default_light = false;

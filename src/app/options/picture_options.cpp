@@ -3,18 +3,24 @@
 
 #include "balcony/picture_options.hpp"
 
+#include <array>
 #include <limits>
 
 #include <fmt/format.h>
 
 #include "app/words.hpp"
 #include "balcony/inputs.hpp"
+#include "balcony/names.hpp"
 
 namespace balcony::app {
 
 namespace {
 
 using Place = std::variant<Imath::V3d, std::string>;
+
+// In metres.
+constexpr std::array lengths{Named{0.001, "mm"},  Named{0.01, "cm"},   Named{1.0, "m"},
+                             Named{1000.0, "km"}, Named{0.0254, "in"}, Named{0.3048, "ft"}};
 
 Value<Place> place() {
     Value<Place> made;
@@ -43,6 +49,8 @@ Value<bool> glass() {
 }
 
 }  // namespace
+
+Value<double> unit_of_length() { return choice(Names<double>(lengths)); }
 
 Options<Placement> placement_options() {
     return {{flag({.name = "--fit",
@@ -88,7 +96,7 @@ Options<Request> scene_options() {
                             "last), or a built-in camera; scene:NAME is a camera of the scene "
                             "(default: its first, or one that shows the scene well)"},
                 text(OptionType::camera), &Request::camera),
-         set_option(&Request::set)}};
+         unit_option(&Request::meters_per_unit), set_option(&Request::set)}};
     made.add(&Request::placement, placement_options());
     made.add({{option({.name = "--inside",
                        .placeholder = "RULE",
@@ -104,6 +112,15 @@ Options<Request> picture_options() {
     made.add(&Request::size,
              size_options("size in pixels (default: that of the picture, or about a million pixels "
                           "with its aspect ratio)"));
+    made.rows.push_back(
+        option({.name = "--mm-per-pixel",
+                .others = {"--gsd"},
+                .placeholder = "LENGTH",
+                .meaning = "in place of a size: millimetres of the surface in a pixel, for cameras "
+                           "with a scale, such as rollout; --dpi becomes that of a print in "
+                           "the size of the surface"},
+               maybe(number(1e-6, 1e9, "give millimetres above 0, such as 0.5", "mm")),
+               &Request::mm_per_pixel));
     made.add(&Request::size, aspect_options());
     made.add(&Request::crop, crop_options());
     made.add(sampling_options());

@@ -202,6 +202,7 @@ std::shared_ptr<const render::Film> Session::film() const { return state_->film;
 void Session::State::prepare(const Request& request) {
     const bool same = last && last->scene == request.scene && last->added == request.added &&
                       last->solid_glass == request.solid_glass &&
+                      last->meters_per_unit == request.meters_per_unit &&
                       last->light.lamps == request.light.lamps &&
                       last->light.emission_scale == request.light.emission_scale &&
                       last->settings.time == request.settings.time &&

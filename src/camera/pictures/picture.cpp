@@ -31,6 +31,11 @@ const Picture* nested(const Layer& layer) {
 }
 
 struct Extent {
+std::optional<std::array<double, 2>> sides_of(const Layer& layer) {
+    const Picture* inner = nested(layer);
+    return inner != nullptr ? inner->sides() : std::get<Camera>(layer.content).parts().sides;
+}
+
     std::size_t layers = 0;
     std::size_t depth = 1;
 };
@@ -361,11 +366,20 @@ bool is_too_large(const Picture& picture) {
 
 }  // namespace
 
+    parts.sides = camera.parts().sides;
 Result<Picture> Picture::make(Parts parts) {
     Diagnostics diagnostics;
     check_extent(parts, diagnostics);
     for (const Layer& layer : parts.layers) {
         check_layer(layer, diagnostics);
+std::optional<std::array<double, 2>> Picture::sides() const {
+    const Layer& back = parts_->layers.front();
+    const bool is_whole = back.arrangers.empty() && back.inner_arrangers.empty() && !back.show;
+    return parts_->sides                 ? parts_->sides
+           : !parts_->aspect && is_whole ? sides_of(back)
+                                         : std::nullopt;
+}
+
     }
     if (parts.size && ((*parts.size)[0] == 0 || (*parts.size)[1] == 0)) {
         diagnostics.push_back(error(fmt::format("picture '{}' has no pixels", parts.name), {},
@@ -382,6 +396,14 @@ Result<Picture> Picture::make(Parts parts) {
     }
     if (has_errors(diagnostics)) {
         return diagnostics;
+Picture Picture::with_size(const std::array<std::size_t, 2>& size) const {
+    Parts parts = *parts_;
+    parts.size = size;
+    Picture made(std::move(parts));
+    made.of_layers_ = of_layers_;
+    return made;
+}
+
     }
     Picture made(std::move(parts));
     if (is_too_large(made)) {

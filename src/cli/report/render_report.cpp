@@ -188,6 +188,11 @@ std::string text_of(const app::Report& report, const app::Request& request) {
         text += fmt::format("  {} to {} samples per pixel, on average {:.1f}\n",
                             report.samples->fewest, report.samples->most, report.samples->mean);
     }
+    if (const auto pixel = request.pixel_millimeters()) {
+        text += fmt::format("  {:.4g} mm per pixel: {:.5g} x {:.5g} mm\n", *pixel,
+                            *pixel * static_cast<double>(report.width),
+                            *pixel * static_cast<double>(report.height));
+    }
     text += layers_text(summary) + fitted_text(report.fitted) + preparation_text(report);
     if (report.denoised) {
         text += fmt::format("  denoised by {} in {:.1f} s\n", report.denoised->used,
@@ -205,6 +210,9 @@ std::string text_of(const app::Report& report, const app::Request& request) {
 Answer answer_of(const app::Report& report, const app::Request& request) {
     Answer answer{report.diagnostics, report.interrupted, facts_of(report)};
     answer.text = has_errors(report.diagnostics) ? "" : text_of(report, request);
+    if (const auto pixel = request.pixel_millimeters(); pixel && report.is_traced) {
+        answer.facts["mm_per_pixel"] = *pixel;
+    }
     answer.print = request.output == "-" ? print_aside : print_result;
     return answer;
 }

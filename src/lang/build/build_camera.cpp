@@ -86,7 +86,8 @@ private:
             return;
         }
         if (const auto value = stages_.aspect(statement->value(), "a camera")) {
-            parts.aspect = *value;
+            parts.aspect = value->ratio;
+            parts.sides = value->sides;
         }
     }
 

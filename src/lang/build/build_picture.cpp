@@ -106,7 +106,8 @@ private:
             error(statement.span, "this picture has both a size and an aspect",
                   "remove the aspect, which follows from the size");
         } else if (const auto value = stages_.aspect(statement.value(), "a picture")) {
-            parts.aspect = *value;
+            parts.aspect = value->ratio;
+            parts.sides = value->sides;
         }
     }
 

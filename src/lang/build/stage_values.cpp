@@ -258,15 +258,27 @@ std::optional<double> StageBuilder::constant(ExpressionId id, std::string_view w
     return value.constant();
 }
 
-std::optional<double> StageBuilder::aspect(ExpressionId id, std::string_view owner) {
-    const std::string what = fmt::format("the aspect of {}", owner);
-    const std::optional<double> value = constant(id, what);
-    if (value && !(*value > 0.0)) {
-        error(tree_[id].span, fmt::format("{} must be above 0, but is {:.6g}", what, *value),
-              "the aspect is the width of the picture divided by its height, for example 16/9");
-        return std::nullopt;
+std::optional<StageBuilder::Aspect> StageBuilder::aspect(ExpressionId id, std::string_view owner) {
+    const auto positive = [&](ExpressionId value, std::string_view name) {
+        const std::string what = fmt::format("the {} of {}", name, owner);
+        const std::optional<double> made = constant(value, what);
+        if (made && !(*made > 0.0)) {
+            error(tree_[value].span, fmt::format("{} must be above 0, but is {:.6g}", what, *made),
+                  "the aspect is the width of the picture divided by its height, for example 16/9, "
+                  "or both in scene units: (3, 2)");
+            return std::optional<double>();
+        }
+        return made;
+    };
+    const Expression& written = tree_[id];
+    if (written.kind != ExpressionKind::tuple || written.arguments.size() != 2) {
+        const std::optional<double> ratio = positive(id, "aspect");
+        return ratio ? std::optional(Aspect{*ratio}) : std::nullopt;
     }
-    return value;
+    const std::optional<double> width = positive(written.arguments[0].value, "width");
+    const std::optional<double> height = positive(written.arguments[1].value, "height");
+    return width && height ? std::optional(Aspect{*width / *height, std::array{*width, *height}})
+                           : std::nullopt;
 }
 
 }  // namespace balcony::lang

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cassert>
 #include <map>
 #include <memory>
@@ -69,8 +70,12 @@ public:
     /// A number that must be known when the camera is made; nothing after an error.
     [[nodiscard]] std::optional<double> constant(ExpressionId id, std::string_view what);
 
-    /// The same for an aspect, which must be above 0.
-    [[nodiscard]] std::optional<double> aspect(ExpressionId id, std::string_view owner);
+    /// A ratio above 0, or the width and height of a picture in scene units.
+    struct Aspect {
+        double ratio = 0.0;
+        std::optional<std::array<double, 2>> sides{};
+    };
+    [[nodiscard]] std::optional<Aspect> aspect(ExpressionId id, std::string_view owner);
 
     /// A plain number as a formula of the point of the picture, which its expression calls x and y.
     /// Nothing after an error.

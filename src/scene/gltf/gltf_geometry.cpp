@@ -77,6 +77,7 @@ void read_gltf(Import& import) {
     GltfDocument document(import);
     refuse_compressed(document.root(), import.file);
     import.is_of_blender = is_of_blender(document.root());
+    import.scene.has_unit = true;
     import.scene.format = document.is_binary() ? "glTF 2.0 binary" : "glTF 2.0";
     GltfReader(document, import).read();
 }

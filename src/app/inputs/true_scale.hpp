@@ -1,0 +1,22 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "balcony/picture.hpp"
+#include "balcony/request.hpp"
+#include "balcony/scene.hpp"
+
+namespace balcony::app {
+
+/// The unit that a request gives a scene, if it gives one.
+void set_unit(scene::Scene& scene, const std::optional<double>& meters_per_unit);
+
+/// A picture in the size that Request::mm_per_pixel says, if it says one. It is an error if the
+/// picture has no scale, or the scene no unit.
+[[nodiscard]] Result<camera::Picture> at_true_scale(const Request& request,
+                                                    const scene::Scene& scene,
+                                                    camera::Picture picture);
+
+}  // namespace balcony::app
