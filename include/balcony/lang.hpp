@@ -44,6 +44,14 @@ struct SceneMeasures {
     /// The surface of revolution around the same axis that contains everything: distances from the
     /// axis and heights above the centre, from bottom to top.
     std::vector<std::array<double, 2>> profile{{1.42, -1.0}, {1.42, 1.0}};
+    /// The surface of revolution that most of the scene is near, as render::Revolution; if there is
+    /// none, an upright one around all of it is known by its names.
+    struct Revolution {
+        std::array<double, 3> axis{0.0, 0.0, 1.0}, center{};
+        double length = 0.0, radius = 0.0, reach = 0.0, arc_middle = 0.0, arc = 0.0;
+        std::vector<std::array<double, 2>> profile;
+    };
+    std::optional<Revolution> revolution{};
 };
 
 /// A parameter that a `fit` statement has set, unless an override or a layer gives it another

@@ -108,6 +108,22 @@ struct SceneExtent {
 };
 
 /// Measures a scene, or the first object of a name. An unknown name and what has no finite size are
+/// A surface of revolution, such as a vase, a column or a bent wall, in axes with z up.
+struct Revolution {
+    Imath::V3d axis{0.0, 0.0, 1.0};  ///< The direction of its axis, a unit vector, upwards.
+    Imath::V3d center{0.0};          ///< On the axis, in the middle of its length.
+    double length = 0.0;             ///< Of everything, along the axis.
+    double radius = 0.0;             ///< The largest mean distance from the axis at a height.
+    double reach = 0.0;              ///< The largest distance of anything.
+    /// Which part of the way around the axis it takes: the middle, and the angle. Angles count from
+    /// x, counter-clockwise, after the shortest turn of the axes that makes z the axis.
+    double arc_middle = 3.141592653589793;
+    double arc = 6.283185307179586;
+    /// Distances from the axis and heights above the centre: of a surface of revolution that
+    /// contains everything.
+    std::vector<Imath::V2d> profile;
+};
+
 /// errors.
 [[nodiscard]] Result<SceneExtent> measure_scene(const Renderer& renderer,
                                                 const std::string& object = {},
@@ -122,6 +138,8 @@ struct SightLine {
 struct Obstacle {
     std::uint32_t object = 0;  ///< Index into Scene::objects.
     double distance = 0.0;     ///< From the start, in scene units.
+    /// That to which most of the surface is near, whatever its axis; nothing if there is none.
+    std::optional<Revolution> revolution;
 };
 
 /// The first opaque surface on each line; none if the point is visible. Lines start and end like

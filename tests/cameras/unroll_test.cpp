@@ -61,6 +61,28 @@ TEST(Rollout, UnrollsACylinderToScale) {
     expect_near(half.at(1.0, 0.5).direction, {0.0, 1.0, 0.0}, tolerance);
 }
 
+// Rays towards a leaning axis meet its cylinder at even arc lengths and heights.
+TEST(Rollout, UnrollsALeaningCylinderToScale) {
+    const Rays rays(make("rollout", {{"radius", "2"},
+                                     {"height", "3"},
+                                     {"distance", "0.5"},
+                                     {"tilt", "30deg"},
+                                     {"tilt_toward", "90deg"},
+                                     {"pz", "1"}}));
+    const V3d axis(0.0, 0.5, std::sqrt(0.75));
+    for (const double x : {0.1, 0.5, 0.8}) {
+        for (const double y : {0.0, 0.3, 0.9}) {
+            const Ray ray = rays.at(x, y);
+            EXPECT_NEAR(ray.direction ^ axis, 0.0, tolerance);
+            const V3d met = ray.origin + 0.5 * ray.direction - V3d(0.0, 0.0, 1.0);
+            EXPECT_NEAR(met ^ axis, 3.0 * (0.5 - y), tolerance);
+            EXPECT_NEAR((met - (met ^ axis) * axis).length(), 2.0, tolerance);
+            // x stays across the tilt.
+            EXPECT_NEAR(met.x, 2.0 * std::cos(2.0 * pi * x), tolerance);
+        }
+    }
+}
+
 // Unrolled by the profile of a sphere, the latitude is the angle of the place in the picture.
 TEST(RolloutProfile, MeetsASphereAtRightAnglesAndEvenLatitudes) {
     const double radius = 2.0;

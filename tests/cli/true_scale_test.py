@@ -55,6 +55,78 @@ def dark_middles(values):
 
 
 class TrueScale(support.CommandTest):
+    def column(self, first=0, last=360):
+        """A column with the radius 50 and the height 100, or a part of the way around it."""
+        closed = last - first == 360
+        angles = [first + i * 0.5 for i in range(2 * (last - first) + (0 if closed else 1))]
+        rows = [[(*leaning(50 * math.cos(math.radians(a)), 50 * math.sin(math.radians(a)), z / 2),
+                  marked(a, z / 2)) for a in angles] for z in range(201)]
+        write_ply(self.folder / "column.ply", rows, closed)
+
+    def rollout(self, *words, camera="rollout"):
+        facts = self.json_of("render", "column.ply", "--camera", camera, "--unit", "mm",
+                             "--mm-per-pixel", "0.5", "--samples", "4", "--exposure", "0",
+                             "--integrator", "direct",
+                             "-o", "out.png", *words)
+        width, height, rows = support.png_pixels(self.folder / "out.png")
+        return facts, width, height, [[pixel[0] for pixel in row] for row in rows]
+
+    def test_a_leaning_column_is_straight_and_to_scale(self):
+        self.column()
+        facts, width, height, rows = self.rollout()
+        fitted = {one["name"]: one["value"] for one in facts["fitted"]}
+        # The sides of the column leave the cylinder by 50*(1 - cos(0.25 deg)) = 0.0005.
+        self.assertAlmostEqual(fitted["tilt"], 7, delta=0.01)
+        self.assertAlmostEqual(fitted["tilt_toward"], -90, delta=0.1)
+        self.assertAlmostEqual(fitted["radius"], 50, delta=0.01)
+        self.assertAlmostEqual(fitted["height"], 100, delta=0.02)
+        self.assertEqual((width, height), (round(2 * math.pi * 50 / 0.5), 200))
+        self.assertEqual(facts["mm_per_pixel"], 0.5)
+        # Rounding the sides to pixels changes lengths by a half in 628 and in 200, the marks are in
+        # steps of 0.44 mm and 0.5 mm on the surface, and those of one kind are alike.
+        first, last = dark_middles(rows[20])
+        self.assertAlmostEqual(0.5 * (last - first), math.pi / 2 * 50, delta=0.2)
+        upper, lower = dark_middles([row[300] for row in rows])
+        self.assertAlmostEqual(0.5 * (lower - upper), 40, delta=0.2)
+        # Straight: the rings are level all around.
+        for column in (100, 450, 560):
+            for one, other in zip(dark_middles([row[column] for row in rows]), (upper, lower),
+                                  strict=True):
+                self.assertAlmostEqual(one, other, delta=0.2)
+
+    def test_a_fragment_fills_the_strip(self):
+        self.column(30, 130)
+        facts, width, _, rows = self.rollout()
+        fitted = {one["name"]: one["value"] for one in facts["fitted"]}
+        self.assertAlmostEqual(fitted["width"], 100, delta=0.05)
+        self.assertAlmostEqual(fitted["radius"], 50, delta=0.05)
+        self.assertAlmostEqual(width, math.radians(100) * 50 / 0.5, delta=1)
+        # From one edge to the other: the mark is 30 degrees from the left one.
+        (mark,) = dark_middles(rows[20])
+        self.assertAlmostEqual(0.5 * mark, math.radians(30) * 50, delta=0.5)
+
+    def test_a_mural_is_unrolled_around_its_bend(self):
+        self.column(30, 130)
+        facts, width, height, rows = self.rollout(camera="cylinder")
+        fitted = {one["name"]: one["value"] for one in facts["fitted"]}
+        self.assertAlmostEqual(fitted["yaw"], 80, delta=0.1)
+        self.assertAlmostEqual(fitted["tilt"], 7, delta=0.05)
+        self.assertAlmostEqual(width, math.radians(100) * 50 / 0.5, delta=1)
+        self.assertAlmostEqual(height, 200, delta=1)
+        # From inside, the mark is 70 degrees from the left edge.
+        (mark,) = dark_middles(rows[20])
+        self.assertAlmostEqual(0.5 * mark, math.radians(70) * 50, delta=0.5)
+
+    def test_the_file_says_the_size_of_the_print(self):
+        self.column()
+        self.rollout("--scale", "50%")
+        data = (self.folder / "out.png").read_bytes()
+        # A millimetre in a pixel.
+        self.assertEqual(struct.unpack_from(">IIB", data, data.index(b"pHYs") + 4), (1000, 1000, 1))
+        out, _ = self.run_command("render", "column.ply", "--camera", "rollout", "--unit", "cm",
+                                  "--mm-per-pixel", "20", "--samples", "1", "-o", "out.png")
+        self.assertIn("  20 mm per pixel: 3140 x 1000 mm\n", out)
+
     def test_what_has_no_scale_is_refused(self):
         words = ("render", "scene.obj", "-o", "out.png", "--mm-per-pixel")
         self.refused(*words, "1", "--camera", "panorama", "--unit", "m", code=2,

@@ -70,6 +70,38 @@ TEST(Fit, KnowsTheLengthOfTheProfile) {
               (Point{10.0, 20.0, std::hypot(0.5, 6.0)}));
 }
 
+TEST(Fit, KnowsTheSurfaceOfRevolution) {
+    SceneMeasures leaning = box();
+    leaning.revolution = SceneMeasures::Revolution{.axis = {0.0, 0.6, 0.8},
+                                                   .center = {1.5, 2.5, 3.5},
+                                                   .length = 7.0,
+                                                   .radius = 1.25,
+                                                   .reach = 1.75,
+                                                   .arc_middle = 0.5,
+                                                   .arc = 2.0,
+                                                   .profile = {{1.0, -3.0}, {1.0, 4.0}}};
+    const auto fitted = [&](const std::string& fit) { return origin_of(text(at(fit)), leaning); };
+    EXPECT_EQ(fitted("fit (a, b, c) = scene_axis"), (Point{0.0, 0.6, 0.8}));
+    EXPECT_EQ(fitted("axes y_up fit (a, b, c) = scene_axis"), (Point{0.0, 0.8, -0.6}));
+    EXPECT_EQ(fitted("fit (a, b, c) = scene_axis_center"), (Point{1.5, 2.5, 3.5}));
+    EXPECT_EQ(fitted("fit (a, b, c) = (scene_axis_length, scene_axis_radius, scene_axis_reach)"),
+              (Point{7.0, 1.25, 1.75}));
+    EXPECT_EQ(fitted("fit a = scene_arc[0]/1rad, b = scene_arc[1]/1rad, "
+                     "c = scene_axis_profile[1][1] + scene_axis_profile_length"),
+              (Point{0.5, 2.0, 11.0}));
+}
+
+TEST(Fit, TakesAnUprightCylinderForTheSurfaceOfRevolutionIfThereIsNone) {
+    const auto fitted = [&](const std::string& fit) { return origin_of(text(at(fit)), box()); };
+    EXPECT_EQ(fitted("fit (a, b, c) = scene_axis"), (Point{0.0, 0.0, 1.0}));
+    EXPECT_EQ(fitted("fit (a, b, c) = scene_axis_center"), (Point{3.0, 3.0, 6.0}));
+    EXPECT_EQ(fitted("fit (a, b, c) = (scene_axis_length, scene_axis_radius, scene_axis_reach)"),
+              (Point{6.0, 2.5, 2.5}));
+    EXPECT_EQ(fitted("fit a = scene_arc[0]/180deg, b = scene_arc[1]/360deg, "
+                     "c = scene_axis_profile[1][0]"),
+              (Point{1.0, 1.0, 2.5}));
+}
+
 TEST(Fit, SetsLists) {
     const CameraSource source = text(
         "camera c(profile = [(1, 0), (1, 1)]) { fit profile = scene_profile  map u = 1 .. -1, v = "

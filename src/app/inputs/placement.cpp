@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -98,13 +99,27 @@ Diagnostics fit_cameras(lang::Workspace& cameras, const Placement& placement,
         return extent.diagnostics;
     }
     const auto point = [](const Imath::V3d& p) { return std::array{p.x, p.y, p.z}; };
+    const auto line = [](const std::vector<Imath::V2d>& points) {
+        std::vector<std::array<double, 2>> made;
+        for (const Imath::V2d& p : points) {
+            made.push_back({p.x, p.y});
+        }
+        return made;
+    };
     lang::SceneMeasures measures{.min = point(extent->bounds.min),
                                  .max = point(extent->bounds.max),
                                  .inside = point(extent->inside),
                                  .radius = extent->radius,
-                                 .profile = {}};
-    for (const Imath::V2d& p : extent->profile) {
-        measures.profile.push_back({p.x, p.y});
+                                 .profile = line(extent->profile)};
+    if (const auto& found = extent->revolution) {
+        measures.revolution = {.axis = point(found->axis),
+                               .center = point(found->center),
+                               .length = found->length,
+                               .radius = found->radius,
+                               .reach = found->reach,
+                               .arc_middle = found->arc_middle,
+                               .arc = found->arc,
+                               .profile = line(found->profile)};
     }
     const Result<Standpoint> stand = standpoint(placement, scene, *extent);
     if (!stand) {

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace balcony::lang {
 
@@ -42,6 +43,16 @@ double length_of(const std::vector<std::array<double, 2>>& line) {
     return length;
 }
 
+// If there is none, that of the upright cylinder around everything, without its centre and length.
+SceneMeasures::Revolution revolution_of(const SceneMeasures& scene) {
+    using std::numbers::pi;
+    return scene.revolution.value_or(SceneMeasures::Revolution{.radius = scene.radius,
+                                                               .reach = scene.radius,
+                                                               .arc_middle = pi,
+                                                               .arc = 2.0 * pi,
+                                                               .profile = scene.profile});
+}
+
 }  // namespace
 
 void define_scene_names(const SceneMeasures& scene, Axes axes, expr::Graph& graph, Scope& scope) {
@@ -68,17 +79,40 @@ void define_scene_names(const SceneMeasures& scene, Axes axes, expr::Graph& grap
     Value angle = number(scene.angle, graph);
     angle.unit = Unit::angle;
     define("scene_angle", std::move(angle));
+    const auto line = [&graph](const std::vector<std::array<double, 2>>& points) {
+        return compound(Value::Form::list, points, [&graph](const std::array<double, 2>& point) {
+            return tuple(point, graph);
+        });
+    };
     define("scene_radius", number(scene.radius, graph));
-    define("scene_profile",
-           compound(Value::Form::list, scene.profile,
-                    [&graph](const std::array<double, 2>& point) { return tuple(point, graph); }));
+    define("scene_profile", line(scene.profile));
     define("scene_profile_length", number(length_of(scene.profile), graph));
+
+    const SceneMeasures::Revolution revolution = revolution_of(scene);
+    define("scene_axis", tuple(in_axes(revolution.axis, axes), graph));
+    define("scene_axis_center",
+           tuple(scene.revolution ? in_axes(revolution.center, axes) : center, graph));
+    define("scene_axis_length",
+           number(scene.revolution ? revolution.length : scene.max[2] - scene.min[2], graph));
+    define("scene_axis_radius", number(revolution.radius, graph));
+    define("scene_axis_reach", number(revolution.reach, graph));
+    define("scene_axis_profile", line(revolution.profile));
+    define("scene_axis_profile_length", number(length_of(revolution.profile), graph));
+    define("scene_arc",
+           compound(Value::Form::tuple, std::array{revolution.arc_middle, revolution.arc},
+                    [&graph](double x) {
+                        Value made = number(x, graph);
+                        made.unit = Unit::angle;
+                        return made;
+                    }));
 }
 
 void announce_scene_names(Scope& scope) {
     for (const std::string_view name :
          {"scene_min", "scene_max", "scene_center", "scene_size", "scene_inside", "scene_angle",
-          "scene_radius", "scene_profile", "scene_profile_length"}) {
+          "scene_radius", "scene_profile", "scene_profile_length", "scene_axis",
+          "scene_axis_center", "scene_axis_length", "scene_axis_radius", "scene_axis_reach",
+          "scene_axis_profile", "scene_axis_profile_length", "scene_arc"}) {
         scope.announce(name, "it is known in fit statements only");
     }
 }

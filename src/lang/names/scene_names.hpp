@@ -12,7 +12,8 @@
 namespace balcony::lang {
 
 /// Defines scene_min, scene_max, scene_center, scene_size, scene_inside, scene_radius,
-/// scene_profile and scene_profile_length, in some axes.
+/// scene_profile and scene_profile_length, in some axes, and the same of its surface of revolution:
+/// scene_axis, scene_axis_center and so on.
 void define_scene_names(const SceneMeasures& scene, Axes axes, expr::Graph& graph, Scope& scope);
 
 /// Stores for all of these names why they cannot be used outside of `fit`.

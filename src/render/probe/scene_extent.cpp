@@ -2,16 +2,22 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <optional>
 #include <vector>
 
+#include <Imath/ImathMatrixAlgo.h>
 #include <fmt/format.h>
 
 #include "balcony/names.hpp"
 #include "balcony/probe.hpp"
 #include "render/probe/main_objects.hpp"
 #include "render/probe/object_view.hpp"
+#include "render/probe/revolution.hpp"
+#include "render/probe/triangles.hpp"
 #include "render/probe/viewer.hpp"
 
 namespace balcony::render {
@@ -28,22 +34,11 @@ using Box = Imath::Box3d;
 template <class Function>
 void for_each_edge(const scene::Scene& scene, std::optional<std::uint32_t> object,
                    const Function& function) {
-    for (const scene::Instance& instance : scene.instances) {
-        if (object && instance.object != *object) {
-            continue;
+    for_each_triangle(scene, object, [&function](const std::array<V3d, 3>& p) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            function(p[i], p[(i + 1) % 3]);
         }
-        const scene::Mesh& mesh = scene.meshes[instance.mesh.value()];
-        const auto corner = [&](std::uint32_t i) {
-            return turned(V3d(mesh.positions[i]) * instance.world_from_mesh, scene.axes,
-                          Axes::z_up);
-        };
-        for (const auto& triangle : mesh.triangles) {
-            const std::array p{corner(triangle[0]), corner(triangle[1]), corner(triangle[2])};
-            for (std::size_t i = 0; i < 3; ++i) {
-                function(p[i], p[(i + 1) % 3]);
-            }
-        }
-    }
+    });
 }
 
 // Cameras whose lengths are sides of the box need sides above 0, also of a flat scene.
@@ -123,6 +118,155 @@ private:
     double low_, step_;
     std::array<double, intervals> largest_{};
 };
+
+// ---------------------------------------------------------------------------------- revolution
+
+/// Samples of equal areas of the triangles in a box.
+std::vector<SurfaceSample> surface_samples(const scene::Scene& scene,
+                                           std::optional<std::uint32_t> object, const Box& box) {
+    constexpr double count = 16384.0;
+    const auto normal_of = [&box](const std::array<V3d, 3>& p) {
+        const bool inside = box.intersects(p[0]) && box.intersects(p[1]) && box.intersects(p[2]);
+        return inside ? (p[1] - p[0]).cross(p[2] - p[0]) : V3d(0.0);
+    };
+    double area = 0.0;
+    for_each_triangle(scene, object, [&](const auto& p) { area += normal_of(p).length(); });
+    std::vector<SurfaceSample> samples;
+    if (!(area > 0.0)) {
+        return samples;
+    }
+    // A sequence of low discrepancy: Roberts, "The Unreasonable Effectiveness of Quasirandom
+    // Sequences" (2018).
+    const auto number = [&samples](double step) {
+        const double at = 0.5 + step * static_cast<double>(samples.size());
+        return at - std::floor(at);
+    };
+    double before = 0.0;
+    for_each_triangle(scene, object, [&](const auto& p) {
+        const V3d normal = normal_of(p);
+        const double part = normal.length() / area * count;
+        while (static_cast<double>(samples.size()) + number(0.8191725133961645) < before + part) {
+            double a = number(0.6710436067037893);
+            double b = number(0.5497004779019703);
+            if (a + b > 1.0) {
+                a = 1.0 - a;
+                b = 1.0 - b;
+            }
+            samples.push_back({p[0] + a * (p[1] - p[0]) + b * (p[2] - p[0]), normal.normalized()});
+        }
+        before += part;
+    });
+    return samples;
+}
+
+/// Points relative to an axis, which is their z, with a point of it as their origin.
+class AxisFrame {
+public:
+    AxisFrame(const V3d& axis, const V3d& origin) : origin_(origin) {
+        const Imath::M44d world_from_axis = Imath::rotationMatrix(V3d(0.0, 0.0, 1.0), axis);
+        for (int i = 0; i < 3; ++i) {
+            sides_[static_cast<std::size_t>(i)] =
+                V3d(world_from_axis[i][0], world_from_axis[i][1], world_from_axis[i][2]);
+        }
+    }
+
+    [[nodiscard]] V3d operator()(const V3d& p) const {
+        const V3d from_origin = p - origin_;
+        return {from_origin.dot(sides_[0]), from_origin.dot(sides_[1]), from_origin.dot(sides_[2])};
+    }
+
+private:
+    V3d origin_;
+    std::array<V3d, 3> sides_;
+};
+
+/// From 0 to 1, from a direction.
+double turn_between(double azimuth, const V3d& p) {
+    const double turns = (std::atan2(p.y, p.x) - azimuth) / (2.0 * std::numbers::pi);
+    return turns - std::floor(turns);
+}
+
+/// The middle of the largest gap between the azimuths of points; nothing if it is small.
+std::optional<double> middle_of_gap(const std::vector<V3d>& points) {
+    constexpr std::size_t parts = 720;
+    constexpr std::size_t least = 20;
+    std::array<bool, parts> covered{};
+    for (const V3d& p : points) {
+        covered[std::min(static_cast<std::size_t>(turn_between(0.0, p) * parts), parts - 1)] = true;
+    }
+    std::size_t length = 0;
+    std::size_t longest = 0;
+    std::size_t end = 0;
+    for (std::size_t i = 0; i < 2 * parts; ++i) {
+        length = covered[i % parts] ? 0 : length + 1;
+        if (length > longest) {
+            longest = length;
+            end = i + 1;
+        }
+    }
+    const double middle = static_cast<double>(end) - 0.5 * static_cast<double>(longest);
+    return least <= longest && longest < parts
+               ? std::optional(2.0 * std::numbers::pi / static_cast<double>(parts) * middle)
+               : std::nullopt;
+}
+
+std::optional<Revolution> find_revolution(const scene::Scene& scene,
+                                          std::optional<std::uint32_t> object, const Box& box) {
+    const std::vector<SurfaceSample> samples = surface_samples(scene, object, box);
+    const std::optional<RevolutionFit> fit = fit_revolution(samples);
+    if (!fit) {
+        return std::nullopt;
+    }
+    const auto for_each_part = [&](const auto& function) {
+        for_each_edge(scene, object, [&](const V3d& a, const V3d& b) {
+            if (box.intersects(a) && box.intersects(b)) {
+                function(a, b);
+            }
+        });
+    };
+    Box along_axis;
+    const AxisFrame from_point(fit->axis, fit->point);
+    for_each_part([&](const V3d& a, const V3d&) { along_axis.extendBy(from_point(a)); });
+    const double middle = 0.5 * (along_axis.min.z + along_axis.max.z);
+    Revolution made{.axis = fit->axis,
+                    .center = fit->point + middle * fit->axis,
+                    .length = std::max(along_axis.max.z - along_axis.min.z, 0.02 * fit->radius),
+                    .radius = fit->radius,
+                    .profile = {}};
+    const AxisFrame frame(made.axis, made.center);
+    const double half = 0.5 * made.length;
+    Profile profile(Box(V3d(0.0, 0.0, -half), V3d(0.0, 0.0, half)));
+    for_each_part([&](const V3d& a, const V3d& b) {
+        const V3d from = frame(a);
+        profile.add(from, frame(b));
+        made.reach = std::max(made.reach, std::hypot(from.x, from.y));
+    });
+    made.profile = profile.points(1e-3 * made.reach);
+
+    const auto is_beside = [&made](const V3d& p) {
+        return std::hypot(p.x, p.y) > 0.5 * made.radius;
+    };
+    std::vector<V3d> beside;
+    for (const SurfaceSample& sample : samples) {
+        if (const V3d p = frame(sample.position); is_beside(p)) {
+            beside.push_back(p);
+        }
+    }
+    if (const std::optional<double> gap = middle_of_gap(beside)) {
+        double first = 1.0;
+        double last = 0.0;
+        for_each_part([&](const V3d& a, const V3d&) {
+            if (const V3d p = frame(a); is_beside(p)) {
+                first = std::min(first, turn_between(*gap, p));
+                last = std::max(last, turn_between(*gap, p));
+            }
+        });
+        constexpr double full_turn = 2.0 * std::numbers::pi;
+        made.arc = full_turn * (last - first);
+        made.arc_middle = std::remainder(*gap + 0.5 * full_turn * (first + last), full_turn);
+    }
+    return made;
+}
 
 // -------------------------------------------------------------------------------------- inside
 
@@ -242,6 +386,7 @@ Result<SceneExtent> measure_scene(const Renderer& renderer, const std::string& o
     });
     extent.bounds = thickened(box, extent.radius);
     extent.profile = profile.points(1e-3 * std::max(extent.radius, 1e-9));
+    extent.revolution = find_revolution(scene, *wanted, box);
     const Viewer viewer(probed);
     extent.inside = *wanted ? place_before(scene, viewer, **wanted, box, stop)
                             : Inside(scene, viewer, box, stop).find();
