@@ -52,6 +52,23 @@ struct Probe {
     std::optional<double> median_distance{};  ///< From origin to first hit, in scene units.
 };
 
+/// How long a pixel is on the surfaces that a camera sees, in scene units: between neighbours of a
+/// coarse grid. A hundredth of the picture has less than the least, and a hundredth more than the
+/// most, as edges do behind which the surface goes on.
+struct SurfaceScale {
+    struct Range {
+        double least = 0.0, median = 0.0, most = 0.0;
+    };
+    Range across{};   ///< Of a row.
+    Range upwards{};  ///< Of a column.
+};
+
+/// Nothing if hardly any neighbours meet something. The step and the search do not matter.
+[[nodiscard]] Result<std::optional<SurfaceScale>> measure_scale(const Renderer& renderer,
+                                                                const camera::Camera& camera,
+                                                                const ProbeSettings& settings,
+                                                                const std::stop_token& stop = {});
+
 /// Transparent surfaces count as visible, and so do those behind them.
 [[nodiscard]] Result<Probe> probe(const Renderer& renderer, const camera::Camera& camera,
                                   const ProbeSettings& settings, const PartDone& progress = {},
@@ -91,23 +108,6 @@ struct Miss {
 [[nodiscard]] Result<scene::Camera> default_camera(const Renderer& renderer,
                                                    const std::stop_token& stop = {});
 
-/// Where a scene or an object is and where one stands well in it, in axes with z up.
-struct SceneExtent {
-    /// Of all but its surroundings: a ground or a sky much larger than all other objects together.
-    /// No side is shorter than a fiftieth of the radius.
-    Imath::Box3d bounds;
-    /// Of a scene: at eye level, 1.6 metres, above what is below, but not above the middle of a low
-    /// scene; in the open, where much is seen and nothing is near. Of an object: where most of it
-    /// is seen, if possible from in front of it and slightly above.
-    Imath::V3d inside{0.0};
-    /// Of the vertical cylinder around the centre of the bounds that contains everything.
-    double radius = 0.0;
-    /// Distances from the axis of this cylinder and heights above its centre, from bottom to top:
-    /// of a surface of revolution that contains everything.
-    std::vector<Imath::V2d> profile;
-};
-
-/// Measures a scene, or the first object of a name. An unknown name and what has no finite size are
 /// A surface of revolution, such as a vase, a column or a bent wall, in axes with z up.
 struct Revolution {
     Imath::V3d axis{0.0, 0.0, 1.0};  ///< The direction of its axis, a unit vector, upwards.
@@ -124,6 +124,25 @@ struct Revolution {
     std::vector<Imath::V2d> profile;
 };
 
+/// Where a scene or an object is and where one stands well in it, in axes with z up.
+struct SceneExtent {
+    /// Of all but its surroundings: a ground or a sky much larger than all other objects together.
+    /// No side is shorter than a fiftieth of the radius.
+    Imath::Box3d bounds;
+    /// Of a scene: at eye level, 1.6 metres, above what is below, but not above the middle of a low
+    /// scene; in the open, where much is seen and nothing is near. Of an object: where most of it
+    /// is seen, if possible from in front of it and slightly above.
+    Imath::V3d inside{0.0};
+    /// Of the vertical cylinder around the centre of the bounds that contains everything.
+    double radius = 0.0;
+    /// Distances from the axis of this cylinder and heights above its centre, from bottom to top:
+    /// of a surface of revolution that contains everything.
+    std::vector<Imath::V2d> profile;
+    /// That to which most of the surface is near, whatever its axis; nothing if there is none.
+    std::optional<Revolution> revolution;
+};
+
+/// Measures a scene, or the first object of a name. An unknown name and what has no finite size are
 /// errors.
 [[nodiscard]] Result<SceneExtent> measure_scene(const Renderer& renderer,
                                                 const std::string& object = {},
@@ -138,8 +157,6 @@ struct SightLine {
 struct Obstacle {
     std::uint32_t object = 0;  ///< Index into Scene::objects.
     double distance = 0.0;     ///< From the start, in scene units.
-    /// That to which most of the surface is near, whatever its axis; nothing if there is none.
-    std::optional<Revolution> revolution;
 };
 
 /// The first opaque surface on each line; none if the point is visible. Lines start and end like

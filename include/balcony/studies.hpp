@@ -48,6 +48,7 @@ struct CheckRequest {
     SizeRequest size{};   ///< Of whole pictures.
     double time = 0.0;    ///< The value of t in the cameras' formulas, and of the scene.
     std::string scene{};  ///< Without one, nothing is known about objects.
+    std::optional<double> meters_per_unit{};  ///< As Request::meters_per_unit.
     /// From the ray origins to where magnification is measured; if empty, it depends on the scene
     /// or, without one, on the camera.
     std::optional<double> distance{};
@@ -72,6 +73,14 @@ struct CameraCheck {
         std::vector<std::string> never_seen{};
         std::vector<StartInside> starts_inside{};
         std::optional<MissText> miss{};  ///< If no ray meets anything.
+        /// Of a camera with a scale: the length of a pixel, and what it is on the surfaces. In
+        /// scene units, or in millimetres if the scene says how long these are.
+        struct Scale {
+            bool in_millimeters = false;
+            double nominal = 0.0;
+            render::SurfaceScale surface{};
+        };
+        std::optional<Scale> scale{};
     };
     std::optional<InScene> in_scene{};
     std::vector<std::filesystem::path> maps{};  ///< The files that were written.

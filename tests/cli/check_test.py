@@ -233,7 +233,7 @@ camera with { map u = 1 .. -1, v = square eye point toward plane((1, 0, 0)) lens
         (report,) = self.reports("two.cam:front", "--scene", "scene.obj")
         self.assertEqual(report["in_scene"],
                          {"scene": "scene.obj", "never_seen": [], "starts_inside": [],
-                          "meets_nothing": None})
+                          "meets_nothing": None, "scale": None})
         # The wall is 6 away, the triangle before it 5; more of the rays meet the wall.
         self.assertAlmostEqual(report["distance"], 6, places=5)
         (self.folder / "box.obj").write_text(box(0.5, 3))

@@ -127,6 +127,26 @@ class TrueScale(support.CommandTest):
                                   "--mm-per-pixel", "20", "--samples", "1", "-o", "out.png")
         self.assertIn("  20 mm per pixel: 3140 x 1000 mm\n", out)
 
+    def test_check_says_how_true_the_scale_is(self):
+        self.column()
+        words = ("check", "rollout", "--scene", "column.ply", "--width", "628")
+        scale = self.json_of(*words, "--unit", "mm")["files"][0]["reports"][0]["in_scene"]["scale"]
+        self.assertEqual(scale["unit"], "mm")
+        self.assertAlmostEqual(scale["nominal"], 2 * math.pi * 50 / 628, delta=1e-4)
+        for axis in ("x", "y"):
+            for value in scale[axis].values():
+                # Chords of the grid's steps are shorter than arcs by less than a thousandth.
+                self.assertAlmostEqual(value, 0.5, delta=0.002)
+        # Twice as true with half the radius.
+        halved = self.json_of(*words, "--set", "radius=25", "--set", "distance=35")
+        scale = halved["files"][0]["reports"][0]["in_scene"]["scale"]
+        self.assertEqual(scale["unit"], "units")
+        self.assertAlmostEqual(scale["x"]["median"], 2 * scale["nominal"], delta=0.002)
+        out, _ = self.run_command(*words, "--unit", "mm")
+        self.assertRegex(out, r"\n  scale +0\.5003 mm per pixel; on the surface in x 0\.\d+ to")
+        out, _ = self.run_command("check", "panorama", "--scene", "column.ply")
+        self.assertNotIn("\n  scale ", out)
+
     def test_what_has_no_scale_is_refused(self):
         words = ("render", "scene.obj", "-o", "out.png", "--mm-per-pixel")
         self.refused(*words, "1", "--camera", "panorama", "--unit", "m", code=2,

@@ -11,6 +11,7 @@
 #include <fmt/ranges.h>
 
 #include "app/inputs/placement.hpp"
+#include "app/inputs/true_scale.hpp"
 #include "app/request_check.hpp"
 #include "app/studies/check_subjects.hpp"
 #include "app/words.hpp"
@@ -119,6 +120,7 @@ public:
 
     CheckReport operator()() {
         Diagnostics usage = check_size(request_.size);
+        app::add(usage, check_unit(request_.meters_per_unit));
         app::add(usage, check_maps(request_.maps));
         app::add(usage, check_placement(request_.placement, !request_.scene.empty()));
         if (!request_.layer.empty() && request_.files.size() > 1) {
@@ -173,6 +175,7 @@ private:
         if (!loaded) {
             return;
         }
+        set_unit(*loaded, request_.meters_per_unit);
         scene_ = std::make_shared<const scene::Scene>(std::move(*loaded));
         add(check_overwrites(request_.maps, scene_->files));
         Result<render::Renderer> renderer =
@@ -267,11 +270,38 @@ private:
             return false;
         }
         check.in_scene = in_scene(*scene_, *probe);
+        if (subject.camera.parts().sides) {
+            check.in_scene->scale = scale_of(subject);
+        }
         if (!probe->median_distance && probe->rays > 0) {
             explain_empty_view(subject, *check.in_scene);
         }
         scene_distance_ = probe->median_distance;
         return true;
+    }
+
+    // Nothing if it cannot be measured.
+    [[nodiscard]] std::optional<CameraCheck::InScene::Scale> scale_of(
+        const CheckSubject& subject) const {
+        const auto measured =
+            render::measure_scale(*renderer_, subject.camera,
+                                  {.width = static_cast<std::size_t>(subject.width),
+                                   .height = static_cast<std::size_t>(subject.height),
+                                   .time = request_.time},
+                                  stop_);
+        if (!measured || !*measured) {
+            return std::nullopt;
+        }
+        const double unit = scene_->has_unit ? 1000.0 * scene_->meters_per_unit : 1.0;
+        CameraCheck::InScene::Scale scale{scene_->has_unit,
+                                          unit * (*subject.camera.parts().sides)[0] / subject.width,
+                                          **measured};
+        for (render::SurfaceScale::Range* range : {&scale.surface.across, &scale.surface.upwards}) {
+            range->least *= unit;
+            range->median *= unit;
+            range->most *= unit;
+        }
+        return scale;
     }
 
     // Rays are at most one pixel apart, or further in a very large picture to limit the work.

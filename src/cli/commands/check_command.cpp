@@ -145,7 +145,8 @@ void add_check_command(CLI::App& app, ExitCode& code) {
              app::time_option(largest_check, &CheckRequest::time),
              scene_option(&CheckRequest::scene,
                           "scene file: also report objects that are never visible and rays that "
-                          "start inside an object")}};
+                          "start inside an object"),
+             app::unit_option(&CheckRequest::meters_per_unit)}};
         request.add(&CheckRequest::placement, app::placement_options());
         request.add(&CheckRequest::size,
                     app::size_options("size of the picture in pixels (default: about a million "

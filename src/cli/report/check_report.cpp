@@ -88,6 +88,15 @@ std::string list_text(const std::vector<std::string>& names) {
                                     : text;
 }
 
+std::string scale_text(const CameraCheck::InScene::Scale& scale) {
+    const auto range = [](const render::SurfaceScale::Range& r) {
+        return fmt::format("{:.4g} to {:.4g}, median {:.4g}", r.least, r.most, r.median);
+    };
+    return fmt::format("{:.4g} {} per pixel; on the surface in x {}, in y {}", scale.nominal,
+                       scale.in_millimeters ? "mm" : "units", range(scale.surface.across),
+                       range(scale.surface.upwards));
+}
+
 std::string scene_text(const CameraCheck::InScene& found) {
     std::string text;
     if (found.miss) {
@@ -107,6 +116,9 @@ std::string scene_text(const CameraCheck::InScene& found) {
                              start.is_around_all
                                  ? "if this object is not the room, move the camera"
                                  : "move the camera, or make its eye object smaller or larger");
+    }
+    if (found.scale) {
+        text += line("scale", scale_text(*found.scale));
     }
     return text;
 }
@@ -150,6 +162,16 @@ nlohmann::json scene_json(const CameraCheck::InScene& found) {
     }
     nlohmann::json entry{
         {"scene", found.scene}, {"never_seen", found.never_seen}, {"starts_inside", starts}};
+    entry["scale"] = nullptr;
+    if (found.scale) {
+        const auto range = [](const render::SurfaceScale::Range& r) {
+            return nlohmann::json{{"least", r.least}, {"median", r.median}, {"most", r.most}};
+        };
+        entry["scale"] = {{"unit", found.scale->in_millimeters ? "mm" : "units"},
+                          {"nominal", found.scale->nominal},
+                          {"x", range(found.scale->surface.across)},
+                          {"y", range(found.scale->surface.upwards)}};
+    }
     entry["meets_nothing"] = found.miss ? nlohmann::json(found.miss->reason) : nlohmann::json();
     return entry;
 }
