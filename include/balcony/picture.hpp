@@ -63,6 +63,14 @@ struct Stroke {
     std::array<Scalar, 3> color{1.0, 1.0, 1.0};
 };
 
+/// A bar with the length of something in the scene.
+struct ScaleBar {
+    Scalar length = 1.0;  ///< In scene units.
+    /// The middle of its left end, as fractions of the layer's own picture from its top left.
+    std::array<Scalar, 2> at{0.03, 0.95};
+    Scalar height = 0.015;  ///< As a fraction of the height of this picture.
+};
+
 /// Lines from an inset to a region of the picture below. The region is outlined too. Of the four
 /// lines from corner to corner, the two that cross neither rectangle are drawn.
 struct Leader {
@@ -79,8 +87,8 @@ using ColorMatrix = std::array<std::array<double, 3>, 3>;
 class Picture;
 
 /// One layer of a picture. Its window is the part of the picture that it covers; the clip is a
-/// shape in the window and determines the coverage. The frame and the leader lines are drawn opaque
-/// for any alpha, the frame above the layer and the leader lines below it.
+/// shape in the window and determines the coverage. The frame, the leader lines and the scale bar
+/// are drawn opaque for any alpha, the leader lines below the layer and the others above it.
 struct Layer {
     std::string name;
     std::variant<Camera, std::shared_ptr<const Picture>> content;
@@ -98,6 +106,8 @@ struct Layer {
     BlendMode blend = BlendMode::normal;
     std::optional<Stroke> frame{};  ///< Along the clip, inside its edge.
     std::vector<Leader> leaders{};
+    /// On what it shows, which must have a scale.
+    std::optional<ScaleBar> scale_bar{};
 };
 
 /// A picture as expressions of picture x, picture y and time, for points in the picture and on its
@@ -137,6 +147,8 @@ public:
         /// Width divided by height. It follows from a size; with neither, the picture adapts to any
         /// aspect.
         std::optional<double> aspect{};
+        /// Width and height in scene units, if it has a scale.
+        std::optional<std::array<double, 2>> sides{};
         Fit fit = Fit::fit;  ///< Of the whole in a picture of another aspect.
     };
 
@@ -147,8 +159,8 @@ public:
     Picture(Camera camera);
     /// The same, with another treatment of pictures of another aspect.
     [[nodiscard]] Picture with_fit(Fit fit) const;
-        /// Width and height in scene units, if it has a scale.
-        std::optional<std::array<double, 2>> sides{};
+    /// The same, with another default size in pixels.
+    [[nodiscard]] Picture with_size(const std::array<std::size_t, 2>& size) const;
     /// The same, with another turn of all its cameras.
     [[nodiscard]] Picture with_turn(const Turn& turn) const;
     /// The same with all its cameras as views of a stereo pair. It is an error if one of them is
@@ -159,8 +171,10 @@ public:
     [[nodiscard]] const Parts& parts() const { return *parts_; }
     /// The aspect that it is made for: 16/9 if it adapts to any.
     [[nodiscard]] double aspect() const { return parts_->aspect.value_or(default_aspect); }
-    /// The same, with another default size in pixels.
-    [[nodiscard]] Picture with_size(const std::array<std::size_t, 2>& size) const;
+
+    /// Its width and height in scene units: its own, or those of a back layer that fills a picture
+    /// without an aspect. Nothing if it has no scale.
+    [[nodiscard]] std::optional<std::array<double, 2>> sides() const;
 
     /// The single camera from which it was made; null if it was made from layers.
     [[nodiscard]] const Camera* only_camera() const;
@@ -172,10 +186,6 @@ public:
 private:
     using TurnedCameras = std::map<const Camera::Parts*, Camera>;
     [[nodiscard]] Picture with_turn(const Turn& turn, TurnedCameras& cameras) const;
-    /// Its width and height in scene units: its own, or those of a back layer that fills a picture
-    /// without an aspect. Nothing if it has no scale.
-    [[nodiscard]] std::optional<std::array<double, 2>> sides() const;
-
 
     explicit Picture(Parts parts) : parts_(std::make_shared<const Parts>(std::move(parts))) {}
     std::shared_ptr<const Parts> parts_;

@@ -147,6 +147,26 @@ class TrueScale(support.CommandTest):
         out, _ = self.run_command("check", "panorama", "--scene", "column.ply")
         self.assertNotIn("\n  scale ", out)
 
+    def test_a_scale_bar_has_its_length(self):
+        write_ply(self.folder / "column.ply",
+                  [[(*leaning(50 * math.cos(a / 20), 50 * math.sin(a / 20), z), 240)
+                    for a in range(126)] for z in (0, 100)], True)
+        (self.folder / "sheet.cam").write_text(
+            "picture sheet { layer rollout { scale_bar(40, at = (0.1, 0.5), height = 0.1) } }\n")
+        _, width, height, rows = self.rollout("--fit", camera="sheet.cam")
+        # Its dark quarters are 10 mm long and 20 mm apart.
+        middles = dark_middles(rows[height // 2])
+        self.assertEqual(len(middles), 2)
+        self.assertAlmostEqual(middles[0], 0.1 * width + 10, delta=0.5)
+        self.assertAlmostEqual(middles[1] - middles[0], 40, delta=0.2)
+        dark = [row[round(middles[0])] < 128 for row in rows]
+        self.assertAlmostEqual(sum(dark), 0.1 * height, delta=1)
+        (self.folder / "none.cam").write_text("picture none { layer panorama { scale_bar(1) } }\n")
+        self.refused("render", "scene.obj", "--camera", "none.cam", "-o", "out.png", code=1,
+                     says="no scale", helps="aspect (WIDTH, HEIGHT)")
+        text, _ = self.run_command("explain", "sheet.cam")
+        self.assertIn("scale_bar_coverage", text)
+
     def test_what_has_no_scale_is_refused(self):
         words = ("render", "scene.obj", "-o", "out.png", "--mm-per-pixel")
         self.refused(*words, "1", "--camera", "panorama", "--unit", "m", code=2,

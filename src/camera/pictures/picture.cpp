@@ -15,6 +15,7 @@
 #include "camera/machine/arrange.hpp"
 #include "camera/machine/size_limit.hpp"
 #include "camera/pictures/layer_arrangers.hpp"
+#include "camera/pictures/strokes.hpp"
 
 namespace balcony::camera {
 
@@ -30,12 +31,12 @@ const Picture* nested(const Layer& layer) {
     return picture != nullptr ? picture->get() : nullptr;
 }
 
-struct Extent {
 std::optional<std::array<double, 2>> sides_of(const Layer& layer) {
     const Picture* inner = nested(layer);
     return inner != nullptr ? inner->sides() : std::get<Camera>(layer.content).parts().sides;
 }
 
+struct Extent {
     std::size_t layers = 0;
     std::size_t depth = 1;
 };
@@ -98,6 +99,11 @@ void check_layer(const Layer& layer, Diagnostics& diagnostics) {
     if (layer.frame) {
         check_stroke(*layer.frame, layer.name, diagnostics);
     }
+    if (layer.scale_bar && !sides_of(layer)) {
+        diagnostics.push_back(error(
+            fmt::format("layer '{}' has a scale bar, but what it shows has no scale", layer.name),
+            {}, "write the sides of its picture in scene units: aspect (WIDTH, HEIGHT)"));
+    }
     for (const Leader& leader : layer.leaders) {
         check_stroke(leader.stroke, layer.name, diagnostics);
     }
@@ -124,39 +130,6 @@ void check_extent(const Picture::Parts& parts, Diagnostics& diagnostics) {
 
 // ----------------------------------------------------------------------------------- elements
 
-/// A ramp from 0 to 1, one pixel wide, centred where a distance in pixels is 0.
-Expr antialiased(Expr distance, const Emitter& emit) {
-    return min(max(0.5 - distance, emit(0.0)), emit(1.0));
-}
-
-/// Converts a distance in the layer's image to pixels of the whole picture: to first order, the
-/// distance divided by the length of its gradient. Without a gradient it is unchanged.
-Expr in_device_pixels(Expr distance, const PicturePoint& layer, Emitter& emit) {
-    Graph& graph = emit.graph();
-    const std::array leaves{graph.picture_x(), graph.picture_y()};
-    const std::array point{layer.point.x, layer.point.y};
-    const std::vector<Expr> by_x = expr::differentiate(point, leaves[0]);
-    const std::vector<Expr> by_y = expr::differentiate(point, leaves[1]);
-    const auto dot_is = [](const std::vector<Expr>& a, const std::vector<Expr>& b, double wanted) {
-        const Expr product = a[0] * b[0] + a[1] * b[1];
-        return product.is_constant() && std::abs(product.node().value - wanted) < 1e-9;
-    };
-    if (dot_is(by_x, by_x, 1.0) && dot_is(by_y, by_y, 1.0) && dot_is(by_x, by_y, 0.0)) {
-        return distance;
-    }
-    const Expr dx = expr::differentiate(distance, leaves[0]);
-    const Expr dy = expr::differentiate(distance, leaves[1]);
-    const Expr slope = sqrt(dx * dx + dy * dy);
-    return select(is_finite(slope) && 1e-6 < slope, distance / slope, distance);
-}
-
-Element painted(Expr coverage, const Stroke& stroke, const Emitter& emit) {
-    Element element;
-    element.coverage = coverage;
-    element.paint = std::array{emit(stroke.color[0]), emit(stroke.color[1]), emit(stroke.color[2])};
-    return element;
-}
-
 /// The four corners of a rectangle, with their sides: -1 for left and top, 1 for right and
 /// bottom.
 struct Corner {
@@ -164,20 +137,6 @@ struct Corner {
 };
 constexpr std::array corners = {Corner{-1.0, -1.0}, Corner{1.0, -1.0}, Corner{-1.0, 1.0},
                                 Corner{1.0, 1.0}};
-
-/// The distance of a point from the segment between two others.
-Expr segment_distance(const DevicePoint& p, const DevicePoint& a, const DevicePoint& b,
-                      const Emitter& emit) {
-    const Expr to_x = b.x - a.x;
-    const Expr to_y = b.y - a.y;
-    const Expr x = p.x - a.x;
-    const Expr y = p.y - a.y;
-    const Expr squared_length = max(to_x * to_x + to_y * to_y, emit(1e-12));
-    const Expr share = min(max((x * to_x + y * to_y) / squared_length, emit(0.0)), emit(1.0));
-    const Expr dx = x - share * to_x;
-    const Expr dy = y - share * to_y;
-    return sqrt(dx * dx + dy * dy);
-}
 
 class PictureEmitter {
 public:
@@ -245,6 +204,9 @@ private:
             const Expr width = emit(layer.frame->width) * whole.size.height;
             const Expr from_middle = abs(edge + 0.5 * width) - 0.5 * width;
             made.push_back(painted(antialiased(from_middle, emit), *layer.frame, emit));
+        }
+        if (const auto sides = layer.scale_bar ? sides_of(layer) : std::nullopt) {
+            made.push_back(scale_bar(*layer.scale_bar, (*sides)[0], own, emit));
         }
     }
 
@@ -366,20 +328,11 @@ bool is_too_large(const Picture& picture) {
 
 }  // namespace
 
-    parts.sides = camera.parts().sides;
 Result<Picture> Picture::make(Parts parts) {
     Diagnostics diagnostics;
     check_extent(parts, diagnostics);
     for (const Layer& layer : parts.layers) {
         check_layer(layer, diagnostics);
-std::optional<std::array<double, 2>> Picture::sides() const {
-    const Layer& back = parts_->layers.front();
-    const bool is_whole = back.arrangers.empty() && back.inner_arrangers.empty() && !back.show;
-    return parts_->sides                 ? parts_->sides
-           : !parts_->aspect && is_whole ? sides_of(back)
-                                         : std::nullopt;
-}
-
     }
     if (parts.size && ((*parts.size)[0] == 0 || (*parts.size)[1] == 0)) {
         diagnostics.push_back(error(fmt::format("picture '{}' has no pixels", parts.name), {},
@@ -396,14 +349,6 @@ std::optional<std::array<double, 2>> Picture::sides() const {
     }
     if (has_errors(diagnostics)) {
         return diagnostics;
-Picture Picture::with_size(const std::array<std::size_t, 2>& size) const {
-    Parts parts = *parts_;
-    parts.size = size;
-    Picture made(std::move(parts));
-    made.of_layers_ = of_layers_;
-    return made;
-}
-
     }
     Picture made(std::move(parts));
     if (is_too_large(made)) {
@@ -421,9 +366,18 @@ Picture::Picture(Camera camera) : of_layers_(false) {
     Parts parts;
     parts.name = camera.name();
     parts.aspect = camera.parts().aspect;
+    parts.sides = camera.parts().sides;
     Layer layer{camera.name(), std::move(camera)};
     parts.layers.push_back(std::move(layer));
     parts_ = std::make_shared<const Parts>(std::move(parts));
+}
+
+std::optional<std::array<double, 2>> Picture::sides() const {
+    const Layer& back = parts_->layers.front();
+    const bool is_whole = back.arrangers.empty() && back.inner_arrangers.empty() && !back.show;
+    return parts_->sides                 ? parts_->sides
+           : !parts_->aspect && is_whole ? sides_of(back)
+                                         : std::nullopt;
 }
 
 std::optional<double> Picture::fixed_aspect() const {
@@ -437,6 +391,14 @@ Picture Picture::with_fit(Fit fit) const {
     if (!of_layers_) {
         parts.layers.front().fit = fit;
     }
+    Picture made(std::move(parts));
+    made.of_layers_ = of_layers_;
+    return made;
+}
+
+Picture Picture::with_size(const std::array<std::size_t, 2>& size) const {
+    Parts parts = *parts_;
+    parts.size = size;
     Picture made(std::move(parts));
     made.of_layers_ = of_layers_;
     return made;

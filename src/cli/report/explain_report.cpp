@@ -183,6 +183,9 @@ void add_elements(const camera::Picture& picture, const Elements& elements, cons
         if (layer.frame) {
             formulas.add(prefix + "_frame_coverage", (element++)->coverage);
         }
+        if (layer.scale_bar) {
+            formulas.add(prefix + "_scale_bar_coverage", (element++)->coverage);
+        }
     }
 }
 

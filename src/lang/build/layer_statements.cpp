@@ -52,6 +52,24 @@ const StageEntry& frame_row() {
     return row;
 }
 
+const StageEntry& scale_bar_row() {
+    static const StageEntry row{
+        .name = "scale_bar",
+        .parameters = {
+            {.name = "length",
+             .type = NumberParameter{.range = {.minimum = 0.0, .excludes_minimum = true}},
+             .meaning = "in scene units"},
+            {.name = "at",
+             .type = PairParameter{.default_value = std::array{0.03, 0.95}},
+             .meaning = "the middle of its left end, as fractions of the layer's own "
+                        "picture from its top left corner"},
+            {.name = "height",
+             .type =
+                 NumberParameter{.default_value = 0.015, .range = {.minimum = 0.0, .maximum = 1.0}},
+             .meaning = "as a fraction of this picture's height"}}};
+    return row;
+}
+
 StageParameter weights(std::string_view name, std::array<double, 3> own) {
     return {.name = name,
             .type = TripleParameter{.default_value = own, .constant = true},
@@ -230,6 +248,13 @@ private:
                 stroke = {given->number("width"), given->triple("color")};
             }
             made.frame = stroke;
+        }
+        if (const Statement* bar = own_.find(StatementKind::scale_bar)) {
+            if (const auto given =
+                    stages_.arguments(scale_bar_row(), tree_[bar->stages().front()])) {
+                made.scale_bar = {given->number("length"), given->pair("at"),
+                                  given->number("height")};
+            }
         }
         for (const Statement& one : block_) {
             if (one.kind != StatementKind::leader || one.broken) {

@@ -213,6 +213,13 @@ constexpr std::array rows = {
                  .expected = "a frame",
                  .meaning = "a line along the inside of the clip's edge; its width is a fraction "
                             "of the picture's height"},
+    StatementRow{.kind = StatementKind::scale_bar,
+                 .keyword = "scale_bar",
+                 .blocks = in_layer,
+                 .shape = Shape::call,
+                 .phase = 16,
+                 .expected = "scale_bar(0.1), with a length in scene units",
+                 .meaning = "a bar of a length in scene units, on a layer with a scale"},
     StatementRow{
         .kind = StatementKind::leader,
         .keyword = "leader",

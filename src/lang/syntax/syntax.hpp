@@ -86,6 +86,7 @@ enum class StatementKind : std::uint8_t {
     channels,
     blend,
     frame,
+    scale_bar,
     leader,
     unknown,
 };
