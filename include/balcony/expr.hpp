@@ -443,9 +443,18 @@ private:
     std::size_t place_count_ = 0;
 };
 
-/// The expressions as readable formulas, one per line; shared parts are named first.
+/// Values on the way to other expressions, for print().
+struct NamedStep {
+    std::string name;
+    std::vector<Expr> values;
+    std::vector<std::string> value_names;  ///< One for each: "x" of the step "eye" is eye_x.
+};
+
+/// The expressions as readable formulas, one per line; shared parts are named first: eye_1, eye_2
+/// where they are part of the values of the step "eye" and of no earlier step, s1, s2 elsewhere.
 [[nodiscard]] std::string print(std::span<const Expr> expressions,
-                                std::span<const std::string> names);
+                                std::span<const std::string> names,
+                                std::span<const NamedStep> steps = {});
 [[nodiscard]] std::string print(Expr expression);
 
 }  // namespace balcony::expr

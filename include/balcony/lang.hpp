@@ -102,6 +102,8 @@ struct Explanation {
     bool is_picture = false;
     std::string summary;
     std::vector<Parameter> parameters;
+    /// The source texts of its lets, and of those of its file that it uses: "half = fov/2".
+    std::vector<std::string> definitions;
     std::vector<Step> steps;         ///< The steps of a camera.
     std::vector<Layer> layers;       ///< The layers of a picture, from back to front.
     std::vector<Explanation> shown;  ///< For the whole explanation: the cameras and pictures in its

@@ -29,32 +29,73 @@ public:
         : graph_(expressions.front().graph()),
           expressions_(expressions),
           uses_(graph_.size(), 0),
+          sections_(graph_.size(), 0),
+          is_root_(graph_.size(), false),
+          names_(graph_.size()),
           texts_(graph_.size()) {}
 
-    std::string run(std::span<const std::string> names) {
-        const std::vector<NodeId> nodes = reachable(graph_, expressions_);
+    std::string run(std::span<const std::string> names, std::span<const NamedStep> steps) {
+        std::vector<NodeId> nodes = reachable(graph_, expressions_);
         count_uses(nodes);
+        assign(names, steps);
+        std::stable_sort(nodes.begin(), nodes.end(), [this](NodeId a, NodeId b) {
+            return sections_[a.value()] < sections_[b.value()];
+        });
         // A long single formula is split as well, for readability.
         constexpr std::size_t longest = 160;
+        std::vector<std::size_t> shared(steps.size() + 1, 0);
         std::string result;
-        std::size_t named = 0;
         for (const NodeId id : nodes) {
             Text text = print_node(id);
-            if (!graph_.arguments(id).empty() &&
-                (uses_[id.value()] > 1 || text.text.size() > longest)) {
-                const std::string name = fmt::format("s{}", ++named);
+            std::string& name = names_[id.value()];
+            const std::size_t users = uses_[id.value()];
+            if (!graph_.arguments(id).empty() && (users > 1 || text.text.size() > longest ||
+                                                  (!name.empty() && !is_root_[id.value()]))) {
+                const std::size_t section = sections_[id.value()];
+                if (name.empty()) {
+                    name = fmt::format("{}{}",
+                                       section < steps.size() ? steps[section].name + "_" : "s",
+                                       ++shared[section]);
+                }
                 result += fmt::format("{} = {}\n", name, text.text);
                 text = {name};
             }
             texts_[id.value()] = std::move(text);
         }
         for (std::size_t i = 0; i < expressions_.size(); ++i) {
-            result += fmt::format("{} = {}\n", names[i], texts_[expressions_[i].id().value()].text);
+            const std::string& text = texts_[expressions_[i].id().value()].text;
+            result += text == names[i] ? "" : fmt::format("{} = {}\n", names[i], text);
         }
         return result;
     }
 
 private:
+    // A node belongs to the first step whose values are made of it, or to none; so does what it is
+    // made of, or to an earlier one. What an expression and a step give has the expression's name.
+    void assign(std::span<const std::string> names, std::span<const NamedStep> steps) {
+        std::fill(sections_.begin(), sections_.end(), steps.size());
+        for (std::size_t i = steps.size(); i-- > 0;) {
+            for (const NodeId id : reachable(graph_, steps[i].values)) {
+                sections_[id.value()] = i;
+            }
+        }
+        const auto name = [this](Expr value, const std::string& given) {
+            std::string& own = names_[value.id().value()];
+            own = own.empty() ? given : own;
+        };
+        for (std::size_t i = 0; i < expressions_.size(); ++i) {
+            if (sections_[expressions_[i].id().value()] < steps.size()) {
+                name(expressions_[i], names[i]);
+                is_root_[expressions_[i].id().value()] = true;
+            }
+        }
+        for (const NamedStep& step : steps) {
+            for (std::size_t i = 0; i < step.values.size(); ++i) {
+                name(step.values[i], fmt::format("{}_{}", step.name, step.value_names[i]));
+            }
+        }
+    }
+
     void count_uses(std::span<const NodeId> nodes) {
         for (const NodeId id : nodes) {
             for (const NodeId argument : graph_.arguments(id)) {
@@ -130,15 +171,19 @@ private:
     const Graph& graph_;
     std::span<const Expr> expressions_;
     std::vector<std::uint32_t> uses_;
+    std::vector<std::size_t> sections_;
+    std::vector<bool> is_root_;
+    std::vector<std::string> names_;
     std::vector<Text> texts_;
     std::map<std::string, std::vector<const void*>> functions_;
 };
 
 }  // namespace
 
-std::string print(std::span<const Expr> expressions, std::span<const std::string> names) {
+std::string print(std::span<const Expr> expressions, std::span<const std::string> names,
+                  std::span<const NamedStep> steps) {
     assert(expressions.size() == names.size());
-    return expressions.empty() ? std::string() : Printer(expressions).run(names);
+    return expressions.empty() ? std::string() : Printer(expressions).run(names, steps);
 }
 
 std::string print(Expr expression) {

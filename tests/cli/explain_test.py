@@ -34,11 +34,20 @@ camera choice {
         self.assertEqual(steps["look"], ["blend", "normal", "along"])
         self.assertNotIn("arc_length:", self.run_command("explain", "names.cam:choice")[0])
 
+    def test_intermediate_values_are_named_by_stage(self):
+        out = self.run_command("explain", "superelliptic", "--set", "pz=1")[0]
+        for line in ("u = x * ", "eye_1 = ", "look_1 = ", "origin_x = "):
+            self.assertIn(f"\n{line}", out)
+        # Both curves belong to the eye object.
+        self.assertNotRegex(out, r"\ns[0-9]+ = .*lookup")
+        self.assertIn("let half_width = tan(fov/2)\n", self.run_command("explain", "pinhole")[0])
+
     def test_json(self):
         document = self.json_of("explain", "pinhole", "--size", "100x50")
         self.assertEqual(document["camera"], "pinhole")
         self.assertEqual([step["statement"] for step in document["steps"]][:2], ["map", "eye"])
         self.assertIn("direction_z = ", document["formulas"])
+        self.assertEqual(document["definitions"], ["half_width = tan(fov/2)"])
 
     def test_pictures(self):
         (self.folder / "poster.cam").write_text(

@@ -209,4 +209,23 @@ TEST(Print, NamesWhatIsSharedFirst) {
     EXPECT_EQ(print(roots, names), "s1 = sin(x)\na = s1\nb = s1 * t\n");
 }
 
+TEST(Print, NamesStepsAndWhatTheyAreMadeOf) {
+    Graph graph;
+    const Expr u = 2.0 * graph.picture_x() + 1.0;
+    const Expr sine = sin(u);
+    const Expr eye = sine * sine + sine;
+    const Expr left = eye * graph.time() + u;
+    const std::array steps{NamedStep{"map", {u}, {"u"}}, NamedStep{"eye", {eye}, {"x"}},
+                           NamedStep{"look", {cos(u)}, {"x"}}};
+    const std::array roots{left * left, u};
+    const std::array names{std::string("a"), std::string("u")};
+    // What no expression needs is not written, and the name of an expression goes first.
+    EXPECT_EQ(print(roots, names, steps),
+              "u = x * 2 + 1\n"
+              "eye_1 = sin(u)\n"
+              "eye_x = eye_1 + eye_1 * eye_1\n"
+              "s1 = u + eye_x * t\n"
+              "a = s1 * s1\n");
+}
+
 }  // namespace balcony::expr::print_test

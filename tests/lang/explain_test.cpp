@@ -80,6 +80,23 @@ TEST(Explain, ListsStepsInTheOrderOfTheMachine) {
     EXPECT_EQ(made->steps[5].meanings, std::vector{"rotate: " + std::string(row->meaning)});
 }
 
+TEST(Explain, GivesDefinitions) {
+    const test::TemporaryFolder folder;
+    const auto made = explanation_of(folder.write("a.cam",
+                                                  "let unused = 1\n"
+                                                  "let base = 2\n"
+                                                  "let double(x) = base*x  // Twice.\n"
+                                                  "camera a(fov = 60deg) {\n"
+                                                  "    let half = tan(fov/2)\n"
+                                                  "    map u = half .. -half, v = square\n"
+                                                  "    eye plane((double(1), 0, 0))\n"
+                                                  "}\n"),
+                                     "");
+    ASSERT_TRUE(made) << to_text(made.diagnostics);
+    EXPECT_EQ(made->definitions,
+              (std::vector<std::string>{"base = 2", "double(x) = base*x", "half = tan(fov/2)"}));
+}
+
 TEST(Explain, DescribesLayers) {
     const test::TemporaryFolder folder;
     const auto made = explanation_of(folder.write("a.cam", nested_picture), "", {{"fade", "1/4"}});

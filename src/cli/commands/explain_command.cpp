@@ -1,8 +1,6 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-#include <fmt/format.h>
-
 #include "cli/commands/command.hpp"
 #include "cli/options/command_rows.hpp"
 #include "cli/report/explain_report.hpp"
@@ -31,12 +29,7 @@ void explain(const app::CameraArgument& wanted, const SizeRequest& size, Answer&
     answer.facts["width"] = width;
     answer.facts["height"] = height;
     answer.facts["formulas"] = formulas;
-    answer.text = fmt::format(
-        "{}\nFormulas for a picture of {} x {} pixels. x and y are the position in pixels from "
-        "the\n"
-        "top left corner, t is the time{}:\n\n{}",
-        explanation_text(explanation), width, height,
-        explanation.is_picture ? ", a coverage is the opacity at the position" : "", formulas);
+    answer.text = explanation_text(explanation, formulas, width, height);
 }
 
 ExitCode explain(const ExplainOptions& options) {

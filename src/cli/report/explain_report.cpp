@@ -3,11 +3,16 @@
 
 #include "cli/report/explain_report.hpp"
 
+#include <algorithm>
+#include <map>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+
+#include "balcony/stages.hpp"
 
 namespace balcony::cli {
 
@@ -31,10 +36,14 @@ std::string text_of(const std::vector<Explanation::Step>& steps, std::size_t dep
     return text;
 }
 
-std::string text_of(const std::vector<Explanation::Parameter>& parameters, std::size_t depth) {
+// Its parameters and what it defines.
+std::string values_text(const Explanation& explanation, std::size_t depth) {
     std::string text;
-    for (const Explanation::Parameter& parameter : parameters) {
+    for (const Explanation::Parameter& parameter : explanation.parameters) {
         text += fmt::format("{}{} = {}\n", indented(depth), parameter.name, parameter.value);
+    }
+    for (const std::string& definition : explanation.definitions) {
+        text += fmt::format("{}let {}\n", indented(depth), definition);
     }
     return text;
 }
@@ -46,7 +55,7 @@ public:
 
     std::string operator()() {
         std::string text = fmt::format("{}: {}\n", whole_.name, whole_.summary);
-        text += text_of(whole_.parameters, 1);
+        text += values_text(whole_, 1);
         text += "\nLayers, from back to front:\n";
         text += layers(whole_, "", 1);
         for (std::size_t i = 0; i < whole_.shown.size(); ++i) {
@@ -82,8 +91,7 @@ private:
                                layers_[index].front());
         }
         return fmt::format("{}{}\n{}{}", indented(depth), shown.summary,
-                           text_of(shown.parameters, depth + 1),
-                           layers(shown, place + ".", depth + 1));
+                           values_text(shown, depth + 1), layers(shown, place + ".", depth + 1));
     }
 
     static std::string camera(const Explanation& camera, const std::vector<std::string>& layers) {
@@ -91,7 +99,7 @@ private:
             "\n{}, layer{} {}: {}\n{}\nA point of the layer becomes a ray in these "
             "steps:\n{}",
             camera.name, layers.size() > 1 ? "s" : "", fmt::join(layers, ", "), camera.summary,
-            text_of(camera.parameters, 1), text_of(camera.steps, 1));
+            values_text(camera, 1), text_of(camera.steps, 1));
     }
 
     const Explanation& whole_;
@@ -122,6 +130,28 @@ nlohmann::json json_of(const std::vector<Explanation::Layer>& layers) {
 
 // -------------------------------------------------------------------------------------- formulas
 
+// The statement of a stage, which follows from its path and from whether it is the first one there
+// with values of its kind.
+std::string statement_of(std::span<const camera::StageValues> stages, std::size_t i) {
+    using Owner = camera::StageValues::Owner;
+    const camera::StageValues& stage = stages[i];
+    if (stage.owner == Owner::look) {
+        return "look";
+    }
+    const bool parameters = stage.values.size() == 2;
+    const bool first = std::none_of(stages.begin(), stages.begin() + static_cast<std::ptrdiff_t>(i),
+                                    [&](const camera::StageValues& one) {
+                                        return one.owner == stage.owner &&
+                                               one.values.size() == stage.values.size();
+                                    });
+    const bool eye = stage.owner == Owner::eye;
+    if (!parameters && first) {
+        return eye ? "eye" : "toward";
+    }
+    const std::string_view statement = parameters ? first ? "map" : "warp" : "move";
+    return fmt::format("{}{}", eye ? "" : "toward_", statement);
+}
+
 /// Formulas with their names.
 class FormulaList {
 public:
@@ -151,11 +181,39 @@ public:
         }
     }
 
-    [[nodiscard]] std::string text() const { return expr::print(expr::simplify(roots_), names_); }
+    /// Names what the formulas have in common after the stages of a camera.
+    void add_stages(std::span<const camera::StageValues> stages) {
+        std::map<std::string, std::size_t> counts;
+        for (std::size_t i = 0; i < stages.size(); ++i) {
+            const std::string statement = statement_of(stages, i);
+            const std::size_t number = ++counts[statement];
+            steps_.push_back({number == 1 ? statement : fmt::format("{}_{}", statement, number),
+                              stages[i].values,
+                              stages[i].values.size() == 2
+                                  ? std::vector<std::string>{"u", "v"}
+                                  : std::vector<std::string>{"x", "y", "z"}});
+        }
+    }
+
+    [[nodiscard]] std::string text() {
+        std::vector<expr::Expr> all = roots_;
+        for (const expr::NamedStep& step : steps_) {
+            all.insert(all.end(), step.values.begin(), step.values.end());
+        }
+        all = expr::simplify(all);
+        auto value = all.begin() + static_cast<std::ptrdiff_t>(roots_.size());
+        for (expr::NamedStep& step : steps_) {
+            const auto end = value + static_cast<std::ptrdiff_t>(step.values.size());
+            step.values.assign(value, end);
+            value = end;
+        }
+        return expr::print(std::span(all).first(roots_.size()), names_, steps_);
+    }
 
 private:
     std::vector<expr::Expr> roots_;
     std::vector<std::string> names_;
+    std::vector<expr::NamedStep> steps_;
 };
 
 using Elements = std::vector<camera::PictureExpressions::Element>;
@@ -196,8 +254,18 @@ std::string explanation_text(const Explanation& explanation) {
         return PictureText(explanation)();
     }
     return fmt::format("{}: {}\n{}\nA point of the picture becomes a ray in these steps:\n{}",
-                       explanation.name, explanation.summary, text_of(explanation.parameters, 1),
+                       explanation.name, explanation.summary, values_text(explanation, 1),
                        text_of(explanation.steps, 1));
+}
+
+std::string explanation_text(const Explanation& explanation, const std::string& formulas,
+                             std::size_t width, std::size_t height) {
+    return fmt::format(
+        "{}\nFormulas for a picture of {} x {} pixels. x and y are the position in pixels from "
+        "the\n"
+        "top left corner, t is the time{}:\n\n{}",
+        explanation_text(explanation), width, height,
+        explanation.is_picture ? ", a coverage is the opacity at the position" : "", formulas);
 }
 
 nlohmann::json explanation_json(const Explanation& explanation) {
@@ -207,7 +275,8 @@ nlohmann::json explanation_json(const Explanation& explanation) {
     }
     nlohmann::json made{{explanation.is_picture ? "picture" : "camera", explanation.name},
                         {"summary", explanation.summary},
-                        {"parameters", parameters}};
+                        {"parameters", parameters},
+                        {"definitions", explanation.definitions}};
     if (explanation.is_picture) {
         made["layers"] = json_of(explanation.layers);
     } else {
@@ -223,8 +292,16 @@ std::string formulas_text(const camera::Picture& picture, double width, double h
     expr::Graph graph;
     FormulaList formulas;
     const Elements elements = picture.emit(graph, width, height).elements;
-    if (picture.only_camera() != nullptr) {
+    if (const camera::Camera* camera = picture.only_camera()) {
+        camera::PicturePoint point{{graph.picture_x(), graph.picture_y()},
+                                   {graph.constant(width), graph.constant(height)}};
+        camera::Emitter unused(graph);
+        const std::vector<camera::ShownCamera> shown = shown_cameras(picture);
+        for (const auto& arranger : shown.front().uses.front().arrangers) {
+            point = arranger->arrange(point, unused);
+        }
         formulas.add_ray("", *elements.front().ray);
+        formulas.add_stages(camera->emit_stages(point));
     } else {
         add_elements(picture, elements, "layer", formulas);
     }

@@ -14,6 +14,11 @@ namespace balcony::cli {
 [[nodiscard]] std::string explanation_text(const lang::Explanation& explanation);
 [[nodiscard]] nlohmann::json explanation_json(const lang::Explanation& explanation);
 
+/// An explanation as text, followed by formulas of a picture of a size in pixels.
+[[nodiscard]] std::string explanation_text(const lang::Explanation& explanation,
+                                           const std::string& formulas, std::size_t width,
+                                           std::size_t height);
+
 /// The formulas of a picture of a size in pixels: the ray of a single camera; otherwise the
 /// coverage and the ray of each layer, and the coverages of frames and leader lines.
 [[nodiscard]] std::string formulas_text(const camera::Picture& picture, double width,

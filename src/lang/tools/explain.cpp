@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <map>
 #include <numbers>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -174,6 +175,38 @@ std::string value_text(const Value& value) {
                             : fmt::format("{:.6g}", value.constant());
 }
 
+// The lets of a camera or picture, and those of its file that it uses, in the order of the file.
+std::vector<std::string> definitions_of(const SyntaxTree& tree, const DefinitionSyntax& of) {
+    std::set<std::string_view> used;
+    for (const Expression& node : tree.expressions) {
+        if (of.span.begin <= node.span.begin && node.span.end <= of.span.end) {
+            used.insert(node.name.text);
+        }
+    }
+    std::vector<std::string> found;
+    const auto add = [&](const Statement& let) {
+        found.push_back(one_line(tree, {let.keyword.end, let.span.end}));
+    };
+    for (auto statement = of.statements.rbegin(); statement != of.statements.rend(); ++statement) {
+        if (statement->kind == StatementKind::let) {
+            add(*statement);
+        }
+    }
+    for (auto item = tree.items.rbegin(); item != tree.items.rend(); ++item) {
+        const auto* let = std::get_if<Statement>(&*item);
+        if (let == nullptr || !used.contains(let->let().name.text)) {
+            continue;
+        }
+        add(*let);
+        const ExpressionId value = let->let().value;
+        for (std::size_t i = tree[value].first.value(); i <= value.value(); ++i) {
+            used.insert(tree.expressions[i].name.text);
+        }
+    }
+    std::reverse(found.begin(), found.end());
+    return found;
+}
+
 // The origins and directions of the rays in one sentence.
 std::string summary_of(const camera::Camera& camera) {
     const auto place = [](int dimension) {
@@ -262,6 +295,7 @@ private:
             made.parameters.push_back(
                 {std::string(place.camera->parameters[i].name.text), value_text(values[i])});
         }
+        made.definitions = definitions_of(place.module->tree, *place.camera);
         return made;
     }
 
