@@ -49,6 +49,9 @@ struct Depiction {
     bool frame = true;   ///< The border of the picture, with its top left corner marked.
     bool axes = true;    ///< The camera's axes; only in a picture.
     double time = 0.0;
+    /// From and to: the drawings of all times between have one frame of reference. It shows what
+    /// can be seen at 17 of them, evenly spaced.
+    std::optional<std::array<double, 2>> film{};
 };
 
 /// The view of a drawing and its size.
@@ -57,6 +60,8 @@ struct DrawingView {
     double elevation = 0.4363323129985824;  ///< 25 degrees.
     std::size_t width = 960;                ///< In pixels, from 16 to 16384, like the height.
     std::size_t height = 720;
+    /// Lines of text at the right of the figure, as large as there is room. ASCII.
+    std::vector<std::string> notes{};
 };
 
 /// The part of a camera that a shape of a drawing belongs to.
@@ -80,6 +85,7 @@ struct DrawingLabel {
     V2d position;       ///< The left end of its baseline, in pixels from the top left.
     double size = 0.0;  ///< The height of a capital letter, in pixels.
     DrawingColor color{};
+    bool monospaced = false;  ///< All letters are 6/7 of the size wide.
 };
 
 /// Shapes on a white background, in the order of drawing.
@@ -88,7 +94,7 @@ struct Drawing {
     std::size_t width = 0;
     std::size_t height = 0;
     std::vector<DrawingShape> shapes;
-    std::vector<DrawingLabel> labels{};  ///< Layers and names, for several cameras.
+    std::vector<DrawingLabel> labels{};  ///< Layers and names, for several cameras, and notes.
 };
 
 /// Draws the cameras of a picture, or a single camera. It is an error if none of them has a valid

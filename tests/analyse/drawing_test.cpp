@@ -107,6 +107,76 @@ TEST(Drawing, IsTheSameEachTime) {
     EXPECT_EQ(rasterise(drawn(ball)).samples, rasterise(drawn(ball)).samples);
 }
 
+// A ball that moves away and grows, beside axes that stay.
+const char* const moving = R"(camera moving {
+    map  u = 180deg .. -180deg, v = -80deg .. 80deg
+    eye  sphere(1)
+    move scale(1 + t), translate(6*t, 0, 0)
+    look normal
+})";
+
+TEST(Drawing, OfAFilmKeepsItsFrame) {
+    const auto axes_at = [](double time, const std::optional<std::array<double, 2>>& film) {
+        std::vector<V2d> points;
+        for (const DrawingShape& shape : drawn(moving, {.time = time, .film = film}).shapes) {
+            if (shape.part == DrawingPart::axis) {
+                points.insert(points.end(), shape.points.begin(), shape.points.end());
+            }
+        }
+        return points;
+    };
+    const std::array film{0.0, 1.0};
+    const std::vector<V2d> first = axes_at(0.0, film);
+    ASSERT_FALSE(first.empty());
+    // 0.37 is not among the times at which the film is measured.
+    EXPECT_EQ(axes_at(0.37, film), first);
+    EXPECT_EQ(axes_at(1.0, film), first);
+    EXPECT_NE(axes_at(1.0, {}), axes_at(0.0, {}));
+    // Everything is on the page at both ends.
+    for (const double time : {0.0, 1.0}) {
+        for (const DrawingShape& shape : drawn(moving, {.time = time, .film = film}).shapes) {
+            for (const V2d& point : shape.points) {
+                ASSERT_TRUE(point.x >= 0.0 && point.x <= 960.0 && point.y >= 0.0 &&
+                            point.y <= 720.0)
+                    << time << ' ' << point;
+            }
+        }
+    }
+    // The arrows of a model have heads of one size.
+    const auto extent_of_first_arrow = [&](double time) {
+        const auto scene =
+            model(test::camera_of(moving), {.length = 1.0, .time = time, .film = film});
+        Imath::Box3f head;
+        for (const auto& mesh : scene->meshes) {
+            for (std::size_t i = 0; mesh->name == "rays" && i < 10; ++i) {
+                head.extendBy(mesh->positions[i]);
+            }
+        }
+        return head.size().length();
+    };
+    EXPECT_NEAR(extent_of_first_arrow(0.0), extent_of_first_arrow(1.0), 1e-5);
+}
+
+TEST(Drawing, LeavesRoomForNotes) {
+    const DrawingView view{.notes = {"a long line of text, which takes much room", "short"}};
+    const Drawing drawing = drawn(ball, {}, view);
+    ASSERT_EQ(drawing.labels.size(), 2U);
+    const DrawingLabel& first = drawing.labels.front();
+    EXPECT_EQ(first.text, view.notes.front());
+    EXPECT_LE(first.position.x + 6.0 / 7.0 * first.size * static_cast<double>(first.text.size()),
+              960.0);
+    for (const DrawingShape& shape : drawing.shapes) {
+        for (const V2d& point : shape.points) {
+            ASSERT_LE(point.x, first.position.x);
+        }
+    }
+    EXPECT_NE(to_svg(drawing).find("monospace"), std::string::npos);
+    // Hundreds of lines fit, too.
+    const Drawing full =
+        drawn(ball, {}, {.notes = std::vector<std::string>(300, std::string(80, 'x'))});
+    EXPECT_LE(full.labels.back().position.y, 720.0);
+}
+
 TEST(Drawing, OfNothingIsAnError) {
     const auto camera = test::camera_of(R"(camera nowhere {
         map u = 1 .. -1, v = square

@@ -91,6 +91,30 @@ class Draw(support.CommandTest):
             texts.append((self.folder / "t.svg").read_text())
         self.assertEqual(len(set(texts)), len(texts))
 
+    def test_drawings_of_a_film_have_one_frame(self):
+        (self.folder / "fly.cam").write_text(
+            "camera c { map u = 1 .. -1, v = square eye sphere(1) move translate(9*t, 0, 0) }")
+
+        def axes(*words):
+            self.run_command("draw", "fly.cam", "-o", "fly.svg", *words)
+            root = ElementTree.parse(self.folder / "fly.svg").getroot()
+            return [path.get("d") for path in root.iter(f"{SVG}path")
+                    if path.get("class") == "axis"]
+
+        self.assertEqual(axes("--time", "0.3", "--during", "0,1"),
+                         axes("--time", "1", "--during", "0,1"))
+        self.assertNotEqual(axes("--time", "0"), axes("--time", "1"))
+
+    def test_poster(self):
+        self.run_command("draw", "pinhole", "--explain", "-o", "class.svg")
+        root = ElementTree.parse(self.folder / "class.svg").getroot()
+        texts = [text.text or "" for text in root.iter(f"{SVG}text")]
+        for line in ("pinhole: Rays start at a point;", "    let half_width = tan(fov/2)",
+                     "direction_x = "):
+            self.assertTrue(any(text.startswith(line) for text in texts), line)
+        self.assertEqual(root.get("width"), "1920")
+        self.refused("draw", "nothing", "--explain", "-o", "p.svg", code=1, says="'nothing'")
+
     def test_json(self):
         self.assertEqual(self.json_of("draw", "pinhole", "-o", "p.svg")["output"], "p.svg")
         self.assertIsNone(self.json_of("draw", "nothing", "-o", "p.svg", code=1)["output"])
@@ -129,6 +153,7 @@ class Draw(support.CommandTest):
                 (("pinhole", "-o", "p.svg", "--view", "90"), 2, "--view cannot be '90'"),
                 (("pinhole", "-o", "p.svg", "--size", "5x5"), 2, "a drawing cannot have 5 x 5 pixels"),
                 (("pinhole", "-o", "p.svg", "--length", "0"), 2, "--length cannot be '0'"),
+                (("pinhole", "-o", "p.svg", "--during", "3"), 2, "--during cannot be '3'"),
                 (("pinhole", "-o", "p.svg", "--color", "2"), 2, "--color cannot be '2'"),
                 (("my.cam:nowhere", "-o", "p.svg"), 1, "no valid point"),
                 (("pinhole", "-o", "p.svg", "--set", "fov"), 1, "--set fov sets nothing"),

@@ -227,6 +227,29 @@ Result<PictureGeometry> measure_geometry(const camera::Picture& picture, const D
     return {std::move(whole), std::move(diagnostics)};
 }
 
+std::vector<PictureGeometry> measure_film(const camera::Picture& picture,
+                                          const Depiction& depiction, const Work& work) {
+    constexpr int steps = 16;
+    std::vector<PictureGeometry> film;
+    Box3d bounds;
+    for (int i = 0; depiction.film && i <= steps; ++i) {
+        const double share = static_cast<double>(i) / steps;
+        const auto [from, to] = *depiction.film;
+        Depiction then = depiction;
+        then.time = from + share * (to - from);
+        Result<PictureGeometry> measured = measure_geometry(picture, then, work.silent());
+        work.done(share);
+        if (measured) {
+            bounds.extendBy(measured->bounds);
+            film.push_back(std::move(*measured));
+        }
+    }
+    for (PictureGeometry& each : film) {
+        each.bounds = bounds;
+    }
+    return film;
+}
+
 Diagnostics omissions(const PictureGeometry& geometry) {
     Diagnostics made;
     const auto add = [&made](const std::string& camera, std::string_view what,

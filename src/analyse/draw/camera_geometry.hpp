@@ -68,6 +68,12 @@ struct PictureGeometry {
                                                        const Depiction& depiction,
                                                        const Work& work = {});
 
+/// The geometry at times of Depiction::film at which there is any, each with the bounds of all;
+/// none without a film.
+[[nodiscard]] std::vector<PictureGeometry> measure_film(const camera::Picture& picture,
+                                                        const Depiction& depiction,
+                                                        const Work& work = {});
+
 /// Warnings of the parts of objects and rays that have been omitted so far.
 [[nodiscard]] Diagnostics omissions(const PictureGeometry& geometry);
 

@@ -185,56 +185,117 @@ std::string_view name_of(DrawingPart part) {
 
 namespace {
 
+/// What there is to draw, the farthest first.
+std::vector<DrawingItem> items_of(const PictureGeometry& geometry, const Depiction& depiction,
+                                  const DrawingViewer& viewer, const Work& work) {
+    std::vector<DrawingItem> items;
+    const auto append = [&items](const std::vector<DrawingItem>& more) {
+        items.insert(items.end(), more.begin(), more.end());
+    };
+    const std::size_t count = geometry.cameras.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        work.done(static_cast<double>(i) / static_cast<double>(count));
+        const bool several = !geometry.cameras[i].title.empty();
+        append(drawing_items(geometry.cameras[i].geometry, several ? i + 1 : 0, geometry.extent(),
+                             depiction, viewer));
+    }
+    if (depiction.axes) {
+        append(drawing_items(drawn_axes(geometry, viewer), viewer));
+    }
+    std::stable_sort(items.begin(), items.end(), [](const DrawingItem& a, const DrawingItem& b) {
+        return a.distance > b.distance;
+    });
+    return items;
+}
+
+/// The lines of a text at the right of a page: how large they can be, and where they stand.
+class Notes {
+public:
+    Notes(const DrawingView& view, double margin, double largest) : view_(view), margin_(margin) {
+        const auto width = static_cast<double>(view.width);
+        const auto height = static_cast<double>(view.height);
+        std::size_t longest = 1;
+        for (const std::string& line : view.notes) {
+            longest = std::max(longest, line.size());
+        }
+        const double letters = letter * static_cast<double>(longest);
+        size_ = std::min(
+            {largest, share * width / letters,
+             (height - 2.0 * margin) / (line_height * static_cast<double>(view.notes.size()))});
+        left_ = width - margin - letters * size_;
+    }
+
+    /// The part of the page that they leave to the figure.
+    [[nodiscard]] DrawingView figure() const {
+        DrawingView figure = view_;
+        if (!view_.notes.empty()) {
+            figure.width = static_cast<std::size_t>(std::max(left_, 2.0 * margin_ + 1.0));
+        }
+        return figure;
+    }
+
+    void add_to(Drawing& drawing) const {
+        double bottom = margin_;
+        for (const std::string& line : view_.notes) {
+            bottom += line_height * size_;
+            drawing.labels.push_back({line, {left_, bottom}, size_, letter_color, true});
+        }
+    }
+
+private:
+    static constexpr double letter = 6.0 / 7.0;  // Of a size, as DrawingLabel has it.
+    static constexpr double line_height = 1.8;   // In sizes.
+    static constexpr double share = 0.55;        // Of the page, at most.
+
+    const DrawingView& view_;
+    double margin_;
+    double size_ = 0.0;
+    double left_ = 0.0;
+};
+
 Result<Drawing> drawing_of(const camera::Picture& picture, const Depiction& depiction,
                            const DrawingView& view, const Work& work) {
     if (const auto refused = refusal(view)) {
         return *refused;
     }
-    const auto geometry = measure_geometry(picture, depiction, work.part(0.0, 0.4));
+    auto geometry = measure_geometry(picture, depiction, work.part(0.0, 0.2));
     if (!geometry) {
         return geometry.diagnostics;
     }
-    Box3d bounds = geometry->bounds;
+    const std::vector<PictureGeometry> film = measure_film(picture, depiction, work.part(0.2, 0.4));
+    Box3d bounds = film.empty() ? geometry->bounds : film.front().bounds;
+    geometry->bounds = bounds;
     if (bounds.size().length() == 0.0) {
         bounds = Box3d(bounds.min - V3d(1.0), bounds.max + V3d(1.0));
     }
     const DrawingViewer viewer(view, bounds);
-    std::vector<DrawingItem> items;
-    const bool several = picture.only_camera() == nullptr;
-    for (std::size_t i = 0; i < geometry->cameras.size(); ++i) {
-        work.done(0.4 +
-                  0.5 * static_cast<double>(i) / static_cast<double>(geometry->cameras.size()));
-        const std::vector<DrawingItem> more =
-            drawing_items(geometry->cameras[i].geometry, several ? i + 1 : 0, geometry->extent(),
-                          depiction, viewer);
-        items.insert(items.end(), more.begin(), more.end());
+    const std::vector<DrawingItem> items =
+        items_of(*geometry, depiction, viewer, work.part(0.4, 0.7));
+    Box2d box = film.empty() ? seen(items, bounds, viewer) : Box2d();
+    for (const PictureGeometry& then : film) {
+        box.extendBy(seen(items_of(then, depiction, viewer, work.silent()), bounds, viewer));
     }
-    const DrawnAxes axes = drawn_axes(*geometry, viewer);
-    if (depiction.axes) {
-        const std::vector<DrawingItem> more = drawing_items(axes, viewer);
-        items.insert(items.end(), more.begin(), more.end());
-    }
-    std::stable_sort(items.begin(), items.end(), [](const DrawingItem& a, const DrawingItem& b) {
-        return a.distance > b.distance;
-    });
 
     const double unit =
         std::sqrt(static_cast<double>(view.width) * static_cast<double>(view.height)) /
         usual_page_side;
-    constexpr double margin = 26.0;
-    const Page page(view, seen(items, bounds, viewer), margin * unit);
+    const double margin = 26.0 * unit;
+    const Notes notes(view, margin, label_size * unit);
+    const Page page(notes.figure(), box, margin);
     Drawing drawing{picture.name(), view.width, view.height, {}};
     Composer composer(drawing, viewer, page, unit);
     for (const DrawingItem& item : items) {
         work.go_on();
         composer.add(item);
     }
+    const DrawnAxes axes = drawn_axes(*geometry, viewer);
     for (std::size_t axis = 0; depiction.axes && axis < axes.tips.size(); ++axis) {
         composer.add_letter(axis, axes);
     }
-    if (several) {
+    if (picture.only_camera() == nullptr) {
         composer.add_labels(*geometry);
     }
+    notes.add_to(drawing);
     Diagnostics diagnostics = geometry.diagnostics;
     const Diagnostics left_out = omissions(*geometry);
     diagnostics.insert(diagnostics.end(), left_out.begin(), left_out.end());

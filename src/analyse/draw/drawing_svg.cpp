@@ -78,12 +78,14 @@ std::string element(const DrawingShape& shape) {
 }
 
 std::string element(const DrawingLabel& label) {
-    // In most typefaces, capitals have a height of 0.7 of the font size.
+    // In most typefaces, capitals have a height of 0.7 of the font size, and the letters of
+    // monospaced ones a width of 0.6 of it.
     return fmt::format(
-        "<text x=\"{:.1f}\" y=\"{:.1f}\" font-family=\"sans-serif\" "
-        "font-size=\"{:.1f}\" fill=\"#{:02x}{:02x}{:02x}\">{}</text>\n",
-        label.position.x, label.position.y, label.size / 0.7, label.color[0], label.color[1],
-        label.color[2], xml_text(label.text));
+        "<text x=\"{:.1f}\" y=\"{:.1f}\" font-family=\"{}\" font-size=\"{:.1f}\" "
+        "fill=\"#{:02x}{:02x}{:02x}\"{}>{}</text>\n",
+        label.position.x, label.position.y, label.monospaced ? "monospace" : "sans-serif",
+        label.size / 0.7, label.color[0], label.color[1], label.color[2],
+        label.monospaced ? " xml:space=\"preserve\"" : "", xml_text(label.text));
 }
 
 }  // namespace

@@ -360,10 +360,12 @@ private:
 
 Result<scene::Scene> model_of(const camera::Picture& picture, const Depiction& depiction,
                               const Work& work) {
-    const auto geometry = measure_geometry(picture, depiction, work.part(0.0, 0.4));
+    auto geometry = measure_geometry(picture, depiction, work.part(0.0, 0.2));
     if (!geometry) {
         return geometry.diagnostics;
     }
+    const std::vector<PictureGeometry> film = measure_film(picture, depiction, work.part(0.2, 0.4));
+    geometry->bounds = film.empty() ? geometry->bounds : film.front().bounds;
     const bool several = picture.only_camera() == nullptr;
     Diagnostics diagnostics = geometry.diagnostics;
     const auto add_diagnostics = [&diagnostics](const Diagnostics& more) {

@@ -6,6 +6,9 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -13,6 +16,7 @@
 #include "cli/commands/command.hpp"
 #include "cli/interruption.hpp"
 #include "cli/options/command_rows.hpp"
+#include "cli/report/explain_report.hpp"
 
 namespace balcony::cli {
 
@@ -24,6 +28,7 @@ struct DrawOptions {
     std::array<double, 2> direction{-50.0, 25.0};  ///< Azimuth and elevation in degrees.
     std::optional<Imath::Color3f> color;
     SizeRequest size;
+    bool explain = false;
     Manner manner;
 };
 
@@ -40,25 +45,23 @@ analyse::DrawingColor drawing_color(const Imath::Color3f& color) {
     return {byte(color.x), byte(color.y), byte(color.z)};
 }
 
-app::Value<std::array<double, 2>> direction_value() {
+// Two numbers with a comma between them, up to a limit each.
+app::Value<std::array<double, 2>> pair(const std::array<double, 2>& limits, std::string unit,
+                                       std::string remedy) {
     app::Value<std::array<double, 2>> made;
-    made.info.unit = "deg";
-    made.read = [](std::string_view word) -> std::optional<std::array<double, 2>> {
+    made.info.unit = std::move(unit);
+    made.read = [limits](std::string_view word) -> std::optional<std::array<double, 2>> {
         const std::size_t comma = std::min(word.find(','), word.size());
-        const auto azimuth = app::number_of<double>(word.substr(0, comma));
-        const auto elevation =
-            app::number_of<double>(word.substr(std::min(comma + 1, word.size())));
-        return azimuth && elevation && std::abs(*azimuth) <= 360.0 && std::abs(*elevation) <= 90.0
-                   ? std::optional(std::array{*azimuth, *elevation})
+        const auto first = app::number_of<double>(word.substr(0, comma));
+        const auto second = app::number_of<double>(word.substr(std::min(comma + 1, word.size())));
+        return first && second && std::abs(*first) <= limits[0] && std::abs(*second) <= limits[1]
+                   ? std::optional(std::array{*first, *second})
                    : std::nullopt;
     };
-    made.write = [](const std::array<double, 2>& angles) {
-        return fmt::format("{},{}", angles[0], angles[1]);
+    made.write = [](const std::array<double, 2>& numbers) {
+        return fmt::format("{},{}", numbers[0], numbers[1]);
     };
-    made.remedy = [](std::string_view) {
-        return "give two angles in degrees, azimuth from x to the left and elevation, such as "
-               "-50,25";
-    };
+    made.remedy = [remedy = std::move(remedy)](std::string_view) { return remedy; };
     return made;
 }
 
@@ -95,10 +98,53 @@ app::Options<DrawOptions> arrow_options() {
              part("--no-axes", "omit the axes", &Depiction::axes)}};
 }
 
+// An explanation in lines of a width, in which what goes on is indented.
+std::vector<std::string> lines_of(const std::string& text) {
+    constexpr std::size_t widest = 90;
+    std::vector<std::string> lines;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        std::string line = printable(text.substr(begin, end - begin));
+        while (line.size() > widest) {
+            const std::size_t blank = line.rfind(' ', widest);
+            const std::size_t first = line.find_first_not_of(' ');
+            const std::size_t cut = blank == line.npos || blank <= first ? widest : blank;
+            lines.push_back(line.substr(0, cut));
+            line = std::string(first + 4, ' ') + line.substr(line.find_first_not_of(' ', cut));
+        }
+        lines.push_back(std::move(line));
+        begin = end + 1;
+    }
+    return lines;
+}
+
+// What `explain` says of the camera, as notes of its drawing.
+void add_notes(const DrawOptions& options, app::DrawRequest& request, Diagnostics& found) {
+    const auto wanted = app::read_camera(options.request.camera, options.request.set);
+    if (!wanted) {
+        found = wanted.diagnostics;
+        return;
+    }
+    const auto made = lang::Workspace().explain(wanted->file, wanted->name, wanted->overrides);
+    if (!made) {
+        found = made.diagnostics;
+        return;
+    }
+    const auto [width, height] =
+        SizeRequest().resolve(made->picture.aspect(), made->picture.parts().size);
+    request.view.notes = lines_of(explanation_text(
+        made->explanation,
+        formulas_text(made->picture, static_cast<double>(width), static_cast<double>(height)),
+        width, height));
+}
+
 app::DrawRequest request_of(const DrawOptions& options) {
-    constexpr std::array<std::size_t, 2> standard{960, 720};
     constexpr double radians = std::numbers::pi / 180.0;
-    const auto [width, height] = options.size.resolve(4.0 / 3.0, standard);
+    const std::array<std::size_t, 2> standard = options.explain
+                                                    ? std::array<std::size_t, 2>{1920, 1080}
+                                                    : std::array<std::size_t, 2>{960, 720};
+    const auto [width, height] = options.size.resolve(
+        static_cast<double>(standard[0]) / static_cast<double>(standard[1]), standard);
     app::DrawRequest request = options.request;
     request.view = {options.direction[0] * radians, options.direction[1] * radians, width, height};
     if (options.color) {
@@ -112,7 +158,12 @@ ExitCode draw(const DrawOptions& options) {
     Answer answer;
     answer.facts["output"] = nullptr;
     const Interruptible work;
-    if (answer.add(app::draw(request_of(options), work.token()))) {
+    app::DrawRequest request = request_of(options);
+    Diagnostics found;
+    if (options.explain) {
+        add_notes(options, request, found);
+    }
+    if (answer.add(found) && answer.add(app::draw(request, work.token()))) {
         answer.facts["output"] = options.output;
         answer.text = fmt::format("{}: drawn\n", printable(options.output));
     }
@@ -131,16 +182,32 @@ void add_draw_command(CLI::App& app, ExitCode& code) {
         all.add(
             &DrawOptions::request,
             {{app::set_option(&app::DrawRequest::set),
-              app::time_option(largest, &app::DrawRequest::depiction, &analyse::Depiction::time)}});
+              app::time_option(largest, &app::DrawRequest::depiction, &analyse::Depiction::time),
+              option({.name = "--during",
+                      .placeholder = "FROM,TO",
+                      .meaning = "the times of a film: its drawings, one for each --time, have one "
+                                 "frame of reference"},
+                     app::maybe(
+                         pair({largest, largest}, "s", "give two times in seconds, such as 0,5")),
+                     &app::DrawRequest::depiction, &analyse::Depiction::film)}});
         all.rows.push_back(
             option({.name = "--view",
                     .placeholder = "AZIMUTH,ELEVATION",
                     .meaning = "direction of the viewer in degrees: around z from x, and above "
                                "the horizon"},
-                   direction_value(), &DrawOptions::direction));
+                   pair({360.0, 90.0}, "deg",
+                        "give two angles in degrees, azimuth from x to the left and elevation, "
+                        "such as -50,25"),
+                   &DrawOptions::direction));
         all.add(&DrawOptions::size,
-                app::size_options("size of a drawing in pixels (default: 960x720)"));
+                app::size_options(
+                    "size of a drawing in pixels (default: 960x720, with --explain 1920x1080)"));
         all.add(arrow_options());
+        all.rows.push_back(
+            flag({.name = "--explain",
+                  .meaning = "write beside the drawing what 'explain' says, with the "
+                             "formulas; not in a scene"},
+                 true, &DrawOptions::explain));
         all.add(manner_options(&DrawOptions::manner, "print file name and diagnostics as JSON"));
         command.add(std::move(all), options);
         command.footer(
@@ -148,6 +215,8 @@ void add_draw_command(CLI::App& app, ExitCode& code) {
             "  balcony draw superelliptic -o superelliptic.svg\n"
             "  balcony draw my.cam:closeup --view 120,10 --size 1600x1200 -o closeup.png\n"
             "  balcony draw my.cam:poster -o poster.svg\n"
+            "  balcony draw pinhole --explain -o class.svg\n"
+            "  balcony draw my.cam:closeup --time 2 --during 0,5 -o closeup-2.png\n"
             "  balcony draw my.cam --rays 20 --length 2 -o camera.glb");
     };
     add_command<DrawOptions>(app, code, "draw",
