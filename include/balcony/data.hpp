@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <istream>
 #include <memory>
 #include <optional>
 #include <span>
@@ -17,8 +18,11 @@
 #include <utility>
 #include <vector>
 
+#include <Imath/ImathVec.h>
+
 #include "balcony/base.hpp"
 #include "balcony/catalogue.hpp"
+#include "balcony/npy.hpp"
 
 namespace balcony::data {
 
@@ -74,6 +78,38 @@ struct NumberTable {
 /// Reads lines of numbers that commas, semicolons, tabs or blanks separate. A '#' begins a comment;
 /// a first line without numbers is a header. Numbers may have deg or rad attached.
 [[nodiscard]] Result<NumberTable> read_table(const File& file);
+
+/// Points of a file, in batches of bounded memory, however many there are: an array of NumPy (.npy)
+/// of the shape (points, 3), or lines of three lengths as in a table. One thread at a time.
+class PointReader {
+public:
+    /// An error if it is no regular file.
+    [[nodiscard]] static Result<PointReader> open(const std::filesystem::path& file);
+    /// The stream must outlive the reader; `name` is for messages.
+    PointReader(std::istream& stream, std::string name);
+
+    /// The next points, at most 87 381; none behind the last one. A file without points is an
+    /// error.
+    [[nodiscard]] Result<std::vector<Imath::V3d>> next();
+
+private:
+    PointReader(std::unique_ptr<std::istream> stream, std::string name);
+    [[nodiscard]] Diagnostics begin();
+    void fill(std::size_t size);
+    [[nodiscard]] std::string next_lines();
+    [[nodiscard]] Result<std::vector<Imath::V3d>> next_rows();
+    [[nodiscard]] Result<std::vector<Imath::V3d>> next_of_array();
+    [[nodiscard]] std::optional<std::string> numbers(std::size_t count);
+
+    std::unique_ptr<std::istream> own_;
+    std::istream* stream_;
+    std::string name_;
+    std::string buffer_;  ///< Bytes that were read and not used.
+    std::optional<NpyHeader> header_;
+    bool begun_ = false;
+    std::size_t lines_ = 0;   ///< Of a text, before the buffer.
+    std::size_t points_ = 0;  ///< That were given.
+};
 
 /// Reads an image in any format that ImageFile opens. Grey is the luma of the colours as they are
 /// stored, by Rec. 709, times alpha.

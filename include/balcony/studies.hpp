@@ -5,7 +5,7 @@
 // Studies of a camera without a picture: what is wrong with it, where it shows points, and how it
 // looks from outside.
 //
-//     check(CheckRequest) ─▶ CheckReport        locate(LocateRequest) ─▶ Located
+//     check(CheckRequest) ─▶ CheckReport        locate(LocateRequest), LocateSession ─▶ Located
 //     draw(DrawRequest)   ─▶ a file
 //
 // Cameras are named as in Request::camera, but not those of a scene, unless it says so. A stop ends
@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -151,6 +152,29 @@ struct Located {
 
 [[nodiscard]] Result<Located> locate(const LocateRequest& request,
                                      const std::stop_token& stop = {});
+
+/// A picture, with its scene, that is asked for points in batches. One thread at a time.
+class LocateSession {
+public:
+    /// The points of the request are not used.
+    [[nodiscard]] static Result<LocateSession> make(const LocateRequest& request,
+                                                    const std::stop_token& stop = {});
+    LocateSession(LocateSession&&) noexcept;
+    LocateSession& operator=(LocateSession&&) noexcept;
+    ~LocateSession();
+
+    [[nodiscard]] Result<Located> locate(std::vector<analyse::V3d> points,
+                                         const std::stop_token& stop = {});
+    /// The files of the camera and the scene that were read.
+    [[nodiscard]] const std::vector<std::filesystem::path>& files() const;
+    /// Warnings about all points so far.
+    [[nodiscard]] Diagnostics finish(const std::stop_token& stop = {}) const;
+
+private:
+    struct State;
+    explicit LocateSession(std::unique_ptr<State> state);
+    std::unique_ptr<State> state_;
+};
 
 // ---------------------------------------------------------------------------------------- draw
 

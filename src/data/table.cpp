@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "data/files.hpp"
+#include "data/table_rows.hpp"
 
 namespace balcony::data {
 
@@ -26,7 +27,8 @@ bool begins_number(std::string_view field) {
 
 class TableReader {
 public:
-    explicit TableReader(std::shared_ptr<const SourceText> source) : text_(source->text()) {
+    TableReader(std::shared_ptr<const SourceText> source, bool may_have_header)
+        : text_(source->text()), first_line_(may_have_header) {
         table_.source = std::move(source);
     }
 
@@ -35,10 +37,6 @@ public:
             const std::size_t end = std::min(text_.find_first_of("\n\r", begin), text_.size());
             line(begin, begin + std::min(text_.substr(begin, end - begin).find('#'), end - begin));
             begin = end + 1;
-        }
-        if (diagnostics_.empty() && table_.rows.empty()) {
-            error({table_.source, 0, 0}, fmt::format("'{}' has no numbers", table_.source->name()),
-                  "write one point per line, with its numbers separated by commas");
         }
         return diagnostics_.empty() ? Result<NumberTable>(std::move(table_))
                                     : Result<NumberTable>(std::move(diagnostics_));
@@ -175,14 +173,28 @@ private:
     NumberTable table_;
     Diagnostics diagnostics_;
     std::size_t numbers_ = 0;
-    bool first_line_ = true;
+    bool first_line_;
 };
 
 }  // namespace
 
+Result<NumberTable> read_rows(std::shared_ptr<const SourceText> source, bool may_have_header) {
+    return TableReader(std::move(source), may_have_header).run();
+}
+
+Diagnostic no_numbers(const std::string& name) {
+    return error(fmt::format("'{}' has no numbers", name), {},
+                 "write one point per line, with its numbers separated by commas");
+}
+
 Result<NumberTable> read_table(const File& file) {
     const auto source = read_text(file, max_table, "export the table as CSV, plain text in UTF-8");
-    return source ? TableReader(*source).run() : Result<NumberTable>(source.diagnostics);
+    if (!source) {
+        return source.diagnostics;
+    }
+    Result<NumberTable> table = read_rows(*source, true);
+    return table && table->rows.empty() ? Result<NumberTable>(no_numbers(file.name))
+                                        : std::move(table);
 }
 
 }  // namespace balcony::data

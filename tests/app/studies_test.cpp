@@ -3,6 +3,7 @@
 
 // What a front end learns of a camera without a picture.
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -100,6 +101,37 @@ TEST_F(StudiesTest, APointBehindAWallIsHiddenByIt) {
     ASSERT_TRUE((*located->obstacles)[1]);
     EXPECT_EQ(located->objects[(*located->obstacles)[1]->object].name, "wall");
     EXPECT_NEAR((*located->obstacles)[1]->distance, 2.0, 1e-6);
+}
+
+TEST_F(StudiesTest, BatchesOfPointsAreAnsweredAsAllAtOnce) {
+    const LocateRequest request{.camera = "pinhole",
+                                .set = {"yaw=90deg"},
+                                .placement = {.fit = false},
+                                .size = {.width = 200, .height = 100},
+                                .scene = wall(),
+                                .points = {{0.0, 0.0, -1.0}, {0.0, 0.0, -3.0}, {0.0, 0.0, 1.0}}};
+    const auto whole = locate(request);
+    auto session = LocateSession::make(request);
+    ASSERT_TRUE(session) << to_text(session.diagnostics);
+    EXPECT_NE(std::find(session->files().begin(), session->files().end(), fs::path(wall())),
+              session->files().end());
+    std::size_t next = 0;
+    for (const analyse::V3d& point : request.points) {
+        const auto one = session->locate({point});
+        ASSERT_TRUE(one) << to_text(one.diagnostics);
+        for (std::size_t i = 0; i < one->sightings.size(); ++i, ++next) {
+            EXPECT_EQ(one->sightings[i].position, whole->sightings[next].position);
+            EXPECT_EQ((*one->obstacles)[i].has_value(), (*whole->obstacles)[next].has_value());
+        }
+    }
+    EXPECT_EQ(next, whole->sightings.size());
+    EXPECT_TRUE(session->finish().empty());
+    // Only what none of the batches shows is explained.
+    auto behind = LocateSession::make({.camera = "pinhole"});
+    ASSERT_TRUE(behind && behind->locate({{-7.0, 0.1, 0.1}}));
+    EXPECT_EQ(behind->finish().size(), 1U);
+    ASSERT_TRUE(behind->locate({{5.0, 0.0, 0.0}}));
+    EXPECT_TRUE(behind->finish().empty());
 }
 
 TEST_F(StudiesTest, ADrawingIsWrittenOrRefusedWithItsKind) {

@@ -3,6 +3,7 @@
 """balcony locate: positions of points in space."""
 
 import math
+import struct
 import subprocess
 
 import support
@@ -176,6 +177,85 @@ class Locate(support.CommandTest):
             out, _ = process.communicate(text.encode(), timeout=60)
         self.assertEqual(out.decode(), from_file)
 
+    def npy(self, name, shape, numbers, descr="<f8", fortran=False):
+        header = f"{{'descr': '{descr}', 'fortran_order': {fortran}, 'shape': {shape}, }}"
+        header += " " * (117 - len(header)) + "\n"
+        body = struct.pack(f"{descr[0]}{len(numbers)}{'d' if descr[2] == '8' else 'f'}", *numbers)
+        data = b"\x93NUMPY\x01\0" + struct.pack("<H", len(header)) + header.encode() + body
+        (self.folder / name).write_bytes(data)
+        return data
+
+    def rows(self, name, columns):
+        data = (self.folder / name).read_bytes()
+        size = struct.unpack("<H", data[8:10])[0] + 10
+        self.assertEqual(size % 64, 0)
+        count = (len(data) - size) // (8 * columns)
+        self.assertIn(f"'shape': ({count}, {columns})".encode(), data[:size])
+        numbers = struct.unpack(f"<{count * columns}d", data[size:])
+        return [numbers[i:i + columns] for i in range(0, len(numbers), columns)]
+
+    def test_arrays_of_numpy(self):
+        points = [5, 0, 0, -5, 0, 0, 5, 0.25, 0.5]
+        wanted = self.located("fold.cam", "--size", "300x200", "--point", "5,0,0", "--point",
+                              "-5,0,0", "--point", "5,0.25,0.5")
+        wanted = [(number, one["x"], one["y"], one["layer"], one["distance"])
+                  for number, point in enumerate(wanted) for one in point["sightings"]]
+        columns = [points[i + j] for j in range(3) for i in (0, 3, 6)]
+        for words in (((3, 3), points), ((3, 3), points, ">f8"), ((3, 3), points, "<f4"),
+                      ((3, 3), columns, "<f8", True)):
+            self.npy("points.npy", *words)
+            out, err = self.run_command("locate", "fold.cam", "--size", "300x200", "--points",
+                                        "points.npy", "-o", "seen.npy")
+            self.assertEqual((out, err), ("seen.npy: 6 sightings of 3 points\n", ""))
+            self.assertEqual(self.rows("seen.npy", 5), wanted)
+        data = self.npy("points.npy", (3, 3), points)
+        text = self.run_command("locate", "fold.cam", "--points", "points.npy")[0]
+        with self.start("locate", "fold.cam", "--points", "-", stdin=subprocess.PIPE) as process:
+            self.assertEqual(process.communicate(data, timeout=60)[0].decode(), text)
+        self.assertEqual(text.count("distance 5"), 6)
+        # With a scene there is a column more.
+        self.npy("two.npy", (2, 3), [0, 0, -1, 0, 0, 0])
+        self.run_command("locate", "my.cam:above", "--scene", "scene.obj", "--points", "two.npy",
+                         "-o", "hidden.npy")
+        self.assertEqual([(row[0], row[5]) for row in self.rows("hidden.npy", 6)], [(0, 1), (1, 0)])
+
+    def test_more_points_than_are_read_at_a_time(self):
+        count = 200000
+        text = "x y z\n" + "".join(f"5 {i % 7} 0\n" for i in range(count))
+        (self.folder / "many.txt").write_text(text)
+        out, _ = self.run_command("locate", "pinhole", "--set", "fov=120deg", "--size", "900",
+                                  "--points", "many.txt", "-o", "many.npy")
+        self.assertEqual(out, f"many.npy: {count} sightings of {count} points\n")
+        rows = self.rows("many.npy", 5)
+        self.assertEqual([int(row[0]) for row in rows], list(range(count)))
+        for i in range(0, count, 999):
+            self.assertAlmostEqual(rows[i][1], 450 * (1 - (i % 7) / 5 / math.tan(math.pi / 3)))
+        # What is wrong is found at its line; lines before it have been answered.
+        (self.folder / "many.txt").write_text(text + "1 2\n")
+        _, err = self.run_command("locate", "pinhole", "--points", "many.txt", "-o", "no.npy", code=1)
+        self.assertIn(f"many.txt:{count + 2}:1: error: this row is not a point", err)
+        self.assertNotIn("no.npy", self.files())
+
+    def test_arrays_that_are_refused(self):
+        whole = self.npy("points.npy", (3, 3), range(9))
+        for data, says in (
+                (whole[:-1], "ends before its 3 points do"),
+                (whole[:60], "truncated"),
+                (self.npy("points.npy", (9,), range(9)), "has the shape (9)"),
+                (self.npy("points.npy", (0, 3), []), "has no numbers"),
+                (whole.replace(b"<f8", b"<i8"), "are not floats")):
+            (self.folder / "points.npy").write_bytes(data)
+            self.refused("locate", "pinhole", "--points", "points.npy", code=1, says=says)
+        self.npy("points.npy", (3, 3), range(9), fortran=True)
+        with self.start("locate", "pinhole", "--points", "-", stdin=subprocess.PIPE,
+                        stderr=subprocess.PIPE) as process:
+            _, err = process.communicate((self.folder / "points.npy").read_bytes(), timeout=60)
+        self.assertIn(b"column by column", err)
+        self.refused("locate", "pinhole", "--point", "5,0,0", "-o", "p.csv", code=2, says="'p.csv'",
+                     helps=".npy")
+        self.refused("locate", "pinhole", "--points", "points.npy", "-o", "points.npy", code=2,
+                     says="points.npy")
+
     def test_mistakes(self):
         self.refused("locate", "pinhole", code=2, says="no point", helps="--point")
         for point in ("1,2", "1,2,3,4", "1,2,x", "1,,3", "nan,0,0", ""):
@@ -184,10 +264,10 @@ class Locate(support.CommandTest):
         self.refused("locate", "pinhole", "--points", "none.csv", code=1, says="none.csv")
         (self.folder / "bad.csv").write_text("1,2,3\n4,5\n")
         self.refused("locate", "pinhole", "--points", "bad.csv", code=1, says="bad.csv:2:1")
-        self.refused("locate", "pinhole", "--points", ".", code=1, says="'.' is not a file")
+        self.refused("locate", "pinhole", "--points", ".", code=1, says="'.' is a folder")
         with open("/dev/zero", "rb") as endless:
             _, err = self.run_command("locate", "pinhole", "--points", "-", code=1, stdin=endless)
-        self.assertIn("'standard input' is larger than 16 MB", err)
+        self.assertIn("'standard input' is neither a text nor an array of NumPy", err)
         self.refused("locate", "pinhole", "--point", "1,2,3", "--scene", "none.glb", code=1,
                      says="none.glb")
         self.refused("locate", "pinhole", "--point", "1,2,3", "--scene", "my.cam", code=1,

@@ -82,6 +82,7 @@ INPUTS = (
     ("a link to a table", "draw table.cam -o", "table.svg"),
     ("a ray map", "rays rays.cam --size 8x4 -o", "rays.npy"),
     ("a link to a ray map", "rays rays.cam --size 8x4 -o", "link.npy"),
+    ("a ray map", "locate rays.cam --point 1,0,0 --axes z_up -o", "rays.npy"),
     ("an STMap", "stmap st.cam --from panorama --size 8 --allow-parallax -o", "st.exr"),
     ("the photo's map", "stmap panorama --from st.cam --size 8 --allow-parallax -o", "st.exr"),
     ("a mask", "draw mask.cam -o", "mask.png"),

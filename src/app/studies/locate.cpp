@@ -64,11 +64,10 @@ std::optional<Prepared> prepare(const LocateRequest& request, const std::stop_to
 }
 
 Result<camera::Picture> picture_in(const Prepared& prepared, const LocateRequest& request,
-                                   const std::stop_token& stop) {
+                                   lang::Workspace& cameras, const std::stop_token& stop) {
     if (is_of_scene(request.camera) || !request.placement.places(request.camera)) {
         return load_picture(request.camera, request.set, *prepared.scene);
     }
-    lang::Workspace cameras;
     const auto make = [&] { return load_picture(request.camera, request.set, cameras); };
     const Diagnostics found = fit_cameras(
         cameras, request.placement, *prepared.scene, prepared.renderer,
@@ -78,19 +77,41 @@ Result<camera::Picture> picture_in(const Prepared& prepared, const LocateRequest
 
 }  // namespace
 
-Result<Located> locate(const LocateRequest& request, const std::stop_token& stop) {
+struct LocateSession::State {
+    std::optional<Prepared> prepared;
+    camera::Picture picture;
+    std::vector<std::filesystem::path> files;
+    double time;
+    Located found;  ///< Without points.
+    analyse::Locator locator;
+
+    std::vector<analyse::V3d> only_points{};  ///< Those of the first batch, if it is the only one.
+    std::size_t batches = 0;
+    std::size_t searched_in_part = 0;
+    bool any_seen = false;
+};
+
+LocateSession::LocateSession(std::unique_ptr<State> state) : state_(std::move(state)) {}
+LocateSession::LocateSession(LocateSession&&) noexcept = default;
+LocateSession& LocateSession::operator=(LocateSession&&) noexcept = default;
+LocateSession::~LocateSession() = default;
+
+Result<LocateSession> LocateSession::make(const LocateRequest& request,
+                                          const std::stop_token& stop) {
     Diagnostics diagnostics = check_size(request.size);
     add(diagnostics, check_placement(request.placement, !request.scene.empty()));
     if (has_errors(diagnostics)) {
         return diagnostics;
     }
     Located found;
-    const std::optional<Prepared> prepared = prepare(request, stop, diagnostics);
+    std::optional<Prepared> prepared = prepare(request, stop, diagnostics);
     if (has_errors(diagnostics)) {
         return diagnostics;
     }
-    Result<camera::Picture> picture =
-        prepared ? picture_in(*prepared, request, stop) : load_picture(request.camera, request.set);
+    lang::Workspace workspace;
+    Result<camera::Picture> picture = prepared
+                                          ? picture_in(*prepared, request, workspace, stop)
+                                          : load_picture(request.camera, request.set, workspace);
     add(diagnostics, picture.diagnostics);
     if (!picture) {
         return diagnostics;
@@ -106,10 +127,9 @@ Result<Located> locate(const LocateRequest& request, const std::stop_token& stop
     *picture = picture->with_fit(request.size.fit);
     std::tie(found.width, found.height) =
         request.size.resolve(picture->aspect(), picture->parts().size);
-    const auto width = static_cast<double>(found.width);
-    const auto height = static_cast<double>(found.height);
-    const auto locator =
-        analyse::Locator::make(*picture, width, height, request.time, axes, {}, stop);
+    auto locator =
+        analyse::Locator::make(*picture, static_cast<double>(found.width),
+                               static_cast<double>(found.height), request.time, axes, {}, stop);
     add(diagnostics, locator.diagnostics);
     if (!locator) {
         return diagnostics;
@@ -118,33 +138,74 @@ Result<Located> locate(const LocateRequest& request, const std::stop_token& stop
     found.numbers = numbers_of_layers(*picture, found.layers.size());
     found.closed_form = locator->closed_form();
     found.axes = locator->axes();
-    found.points = request.points;
-    std::vector<std::size_t> in_part;
-    auto sightings = locator->locate(found.points, in_part, {}, stop);
-    add(diagnostics, sightings.diagnostics);
-    if (!sightings) {
-        return diagnostics;
-    }
-    found.sightings = std::move(*sightings);
-    if (!in_part.empty()) {
-        diagnostics.push_back(
-            warning(fmt::format("so many parts of the picture may see {} that not all "
-                                "of these parts were searched",
-                                counted(in_part.size(), "point"))));
-    }
-    if (found.sightings.empty() && !found.points.empty()) {
-        add(diagnostics,
-            explain_unseen({*picture, width, height, request.time, found.axes, found.points},
-                           stop));
-    }
     if (prepared) {
         found.objects = prepared->scene->objects;
-        add(diagnostics, look_for_obstacles(prepared->renderer, found, stop));
+    }
+    std::vector<std::filesystem::path> files = workspace.files();
+    files.emplace_back(request.scene);
+    return {LocateSession(std::make_unique<State>(State{std::move(prepared), std::move(*picture),
+                                                        std::move(files), request.time,
+                                                        std::move(found), std::move(*locator)})),
+            std::move(diagnostics)};
+}
+
+Result<Located> LocateSession::locate(std::vector<analyse::V3d> points,
+                                      const std::stop_token& stop) {
+    State& state = *state_;
+    Located found = state.found;
+    found.points = std::move(points);
+    std::vector<std::size_t> in_part;
+    auto sightings = state.locator.locate(found.points, in_part, {}, stop);
+    if (!sightings) {
+        return sightings.diagnostics;
+    }
+    found.sightings = std::move(*sightings);
+    Diagnostics diagnostics = std::move(sightings.diagnostics);
+    if (state.prepared) {
+        add(diagnostics, look_for_obstacles(state.prepared->renderer, found, stop));
         if (!found.obstacles) {
             return diagnostics;
         }
     }
+    state.searched_in_part += in_part.size();
+    state.any_seen = state.any_seen || !found.sightings.empty();
+    state.only_points = ++state.batches == 1 ? found.points : std::vector<analyse::V3d>();
     return {std::move(found), std::move(diagnostics)};
+}
+
+const std::vector<std::filesystem::path>& LocateSession::files() const { return state_->files; }
+
+Diagnostics LocateSession::finish(const std::stop_token& stop) const {
+    const State& state = *state_;
+    Diagnostics diagnostics;
+    if (state.searched_in_part > 0) {
+        diagnostics.push_back(
+            warning(fmt::format("so many parts of the picture may see {} that not all "
+                                "of these parts were searched",
+                                counted(state.searched_in_part, "point"))));
+    }
+    if (!state.any_seen && !state.only_points.empty()) {
+        add(diagnostics, explain_unseen({state.picture, static_cast<double>(state.found.width),
+                                         static_cast<double>(state.found.height), state.time,
+                                         state.found.axes, state.only_points},
+                                        stop));
+    }
+    return diagnostics;
+}
+
+Result<Located> locate(const LocateRequest& request, const std::stop_token& stop) {
+    Result<LocateSession> search = LocateSession::make(request, stop);
+    Diagnostics diagnostics = search.diagnostics;
+    if (!search) {
+        return diagnostics;
+    }
+    Result<Located> found = search->locate(request.points, stop);
+    add(diagnostics, found.diagnostics);
+    if (!found) {
+        return diagnostics;
+    }
+    add(diagnostics, search->finish(stop));
+    return {std::move(*found), std::move(diagnostics)};
 }
 
 }  // namespace balcony::app

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <algorithm>
-#include <bit>
+#include <array>
 #include <ostream>
 
 #include <fmt/format.h>
 
+#include "balcony/npy.hpp"
 #include "balcony/output_file.hpp"
 #include "bridge/maps/exr_rows.hpp"
 #include "bridge/maps/ray_rows.hpp"
@@ -36,28 +37,10 @@ RaysWritten write_exr(const RayGrid& grid, std::ostream& stream, const std::stop
     return written;
 }
 
-// The format's version 1: a magic text, the length of the header, and the header, a Python
-// dictionary that ends where the numbers begin, at a multiple of 64 bytes
-// (https://numpy.org/doc/stable/reference/generated/numpy.lib.format.html).
-std::string npy_header(const RayGrid& grid, std::size_t columns, std::string_view type) {
-    constexpr std::size_t before = 10;
-    constexpr std::size_t alignment = 64;
-    std::string text =
-        fmt::format("{{'descr': '{}{}', 'fortran_order': False, 'shape': ({}, {}, {}), }}",
-                    std::endian::native == std::endian::little ? '<' : '>', type, grid.height(),
-                    grid.width(), columns);
-    const std::size_t end = (before + text.size() + 1 + alignment - 1) / alignment * alignment;
-    text.resize(end - before - 1, ' ');
-    text += '\n';
-    const auto length = static_cast<unsigned>(text.size());
-    return fmt::format("\x93NUMPY\x01{}{}{}{}", '\0', static_cast<char>(length & 0xffU),
-                       static_cast<char>(length >> 8U), text);
-}
-
 template <class Number>
 RaysWritten write_npy(const RayGrid& grid, std::ostream& stream, const std::stop_token& stop) {
     const std::vector<RayColumn> columns = ray_columns(grid);
-    stream << npy_header(grid, columns.size(), sizeof(Number) == 4 ? "f4" : "f8");
+    stream << npy_header(std::array{grid.height(), grid.width(), columns.size()}, sizeof(Number));
     return RowRun<Number>(grid, columns)(
         [](RayRows<Number>&) {},
         [&stream](const RayRows<Number>& rows) {

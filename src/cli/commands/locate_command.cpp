@@ -1,15 +1,18 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-#include <filesystem>
+#include <array>
 #include <iostream>
 #include <limits>
 #include <span>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "balcony/data.hpp"
+#include "balcony/names.hpp"
+#include "balcony/output_file.hpp"
 #include "balcony/studies.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/interruption.hpp"
@@ -26,52 +29,20 @@ using app::LocateRequest;
 struct LocateOptions {
     LocateRequest request;
     std::string file;  ///< Of further points.
+    std::string output;
     Manner manner;
 };
-
-// As much of standard input as a table may have and one byte more, so that an endless stream ends
-// in an error.
-std::vector<std::uint8_t> read_input() {
-    std::vector<std::uint8_t> input(data::max_table + 1);
-    std::cin.read(reinterpret_cast<char*>(input.data()),
-                  static_cast<std::streamsize>(input.size()));
-    input.resize(static_cast<std::size_t>(std::cin.gcount()));
-    return input;
-}
-
-// The rows of a table file, or of standard input if its name is "-".
-void read_rows(const std::string& name, std::vector<V3d>& points, Diagnostics& diagnostics) {
-    std::error_code ignored;
-    if (name != "-" && !std::filesystem::is_regular_file(name, ignored)) {
-        const bool there = std::filesystem::exists(name, ignored);
-        diagnostics.push_back(there ? error(fmt::format("'{}' is not a file", name), {},
-                                            "name a table file, or - for standard input")
-                                    : error(fmt::format("there is no file '{}'", name), {},
-                                            "check its name and its folder"));
-        return;
-    }
-    const std::vector<std::uint8_t> input =
-        name == "-" ? read_input() : std::vector<std::uint8_t>();
-    const Result<data::NumberTable> table =
-        data::read_table(name == "-" ? data::File::in_memory("standard input", {}, input)
-                                     : data::File::on_disk(name));
-    diagnostics.insert(diagnostics.end(), table.diagnostics.begin(), table.diagnostics.end());
-    for (std::size_t i = 0; table && i < table->rows.size(); ++i) {
-        const auto& row = table->rows[i];
-        if (row.size() != 3 || row[0].angle || row[1].angle || row[2].angle) {
-            diagnostics.push_back(error("this row is not a point",
-                                        join(table->at(row.front()), table->at(row.back())),
-                                        "write three lengths per line: x,y,z"));
-            return;
-        }
-        points.emplace_back(row[0].value, row[1].value, row[2].value);
-    }
-}
 
 void check_points(LocateOptions& options, const app::GivenWords& given, Diagnostics& found) {
     if (!given.contains("--point") && options.file.empty()) {
         found.push_back(error(Kind::usage, "no point is given",
                               "add --point X,Y,Z, or --points FILE with one point per line"));
+    }
+    if (!options.output.empty() && ending_of(options.output) != ".npy") {
+        found.push_back(
+            error(Kind::usage,
+                  fmt::format("the file extension of '{}' is not that of an array", options.output),
+                  "use a file name that ends in .npy, or omit --output for text"));
     }
 }
 
@@ -130,11 +101,15 @@ std::string line_of(const Located& located, std::size_t number) {
     return line;
 }
 
+std::string heading(const Located& located) {
+    return fmt::format("{}, {} x {} pixels; points are read with {} ({})\n",
+                       printable(located.camera), located.width, located.height,
+                       app::axes_text(located.axes), text_of(located.axes_from));
+}
+
 std::string text_of(const Located& located) {
     const std::string_view heading = located.obstacles ? " is in the picture at" : " is visible at";
-    std::string text = fmt::format("{}, {} x {} pixels; points are read with {} ({})\n",
-                                   printable(located.camera), located.width, located.height,
-                                   app::axes_text(located.axes), text_of(located.axes_from));
+    std::string text;
     std::size_t next = 0;
     for (std::size_t number = 0; number < located.points.size(); ++number) {
         const V3d& point = located.points[number];
@@ -149,7 +124,7 @@ std::string text_of(const Located& located) {
     return text;
 }
 
-nlohmann::json json_of(const Located& located) {
+nlohmann::json points_json(const Located& located) {
     nlohmann::json points = nlohmann::json::array();
     for (const V3d& point : located.points) {
         points.push_back(
@@ -169,30 +144,173 @@ nlohmann::json json_of(const Located& located) {
         }
         points[sighting.point]["sightings"].push_back(std::move(entry));
     }
+    return points;
+}
+
+nlohmann::json facts_of(const Located& located) {
     return {{"camera", located.camera},
             {"layers", located.layers},
             {"layer_numbers", located.numbers},
             {"width", located.width},
             {"height", located.height},
             {"closed_form", located.closed_form},
-            {"axes", located.axes == Axes::y_up ? "y_up" : "z_up"},
-            {"points", std::move(points)}};
+            {"axes", located.axes == Axes::y_up ? "y_up" : "z_up"}};
 }
+
+/// An array with a row for each sighting.
+class SightingArray {
+public:
+    explicit SightingArray(const std::string& file) : output_(file) { write_header(); }
+
+    void add(const Located& located, std::size_t points_before) {
+        columns_ = located.obstacles ? 6 : 5;
+        std::vector<double> numbers;
+        for (std::size_t i = 0; i < located.sightings.size(); ++i) {
+            const analyse::Sighting& one = located.sightings[i];
+            numbers.insert(numbers.end(),
+                           {static_cast<double>(points_before + one.point), one.position.x,
+                            one.position.y, static_cast<double>(one.layer), one.distance});
+            if (located.obstacles) {
+                numbers.push_back((*located.obstacles)[i] ? 1.0 : 0.0);
+            }
+        }
+        rows_ += located.sightings.size();
+        output_.stream().write(reinterpret_cast<const char*>(numbers.data()),
+                               static_cast<std::streamsize>(numbers.size() * sizeof(double)));
+    }
+    [[nodiscard]] Diagnostics finish() {
+        output_.stream().seekp(0);
+        write_header();
+        return output_.commit();
+    }
+    [[nodiscard]] std::size_t rows() const { return rows_; }
+
+private:
+    void write_header() {
+        constexpr std::size_t room = 128;  // For any number of rows.
+        output_.stream() << npy_header(std::array{rows_, columns_}, sizeof(double), room);
+    }
+
+    OutputFile output_;
+    std::size_t rows_ = 0;
+    std::size_t columns_ = 5;
+};
+
+// Waiting for standard input in between is ended by the signal itself.
+template <class Make>
+auto interruptible(const Make& make) {
+    const Interruptible work;
+    return make(work.token());
+}
+
+/// Where the points of a command come from, batch by batch, and what is made of their sightings.
+class Run {
+public:
+    Run(const LocateOptions& options, Answer& answer) : options_(options), answer_(answer) {}
+
+    void operator()() {
+        if (!open_points()) {
+            return;
+        }
+        auto session = interruptible([this](const std::stop_token& stop) {
+            return app::LocateSession::make(options_.request, stop);
+        });
+        if (!answer_.add(session.diagnostics) || !open_output(session->files())) {
+            return;
+        }
+        std::vector<V3d> points = options_.request.points;
+        while (points.empty() ? next(points) : true) {
+            const std::size_t count = points.size();
+            const Result<Located> located = interruptible([&](const std::stop_token& stop) {
+                return session->locate(std::exchange(points, {}), stop);
+            });
+            if (!answer_.add(located.diagnostics)) {
+                return;
+            }
+            use(*located);
+            count_ += count;
+        }
+        if (answer_.is_done() && answer_.add(interruptible([&](const std::stop_token& stop) {
+                return session->finish(stop);
+            })) &&
+            array_ && answer_.add(array_->finish())) {
+            answer_.facts["output"] = options_.output;
+            answer_.facts["sightings"] = array_->rows();
+            answer_.text =
+                fmt::format("{}: {} of {}\n", printable(options_.output),
+                            counted(array_->rows(), "sighting"), counted(count_, "point"));
+        }
+    }
+
+private:
+    bool open_points() {
+        if (options_.file == "-") {
+            reader_.emplace(std::cin, "standard input");
+        } else if (!options_.file.empty()) {
+            auto opened = data::PointReader::open(options_.file);
+            if (!answer_.add(opened.diagnostics)) {
+                return false;
+            }
+            reader_.emplace(std::move(*opened));
+        }
+        return true;
+    }
+
+    bool open_output(std::vector<std::filesystem::path> inputs) {
+        if (options_.output.empty()) {
+            return true;
+        }
+        inputs.emplace_back(options_.file);
+        if (!answer_.add(OutputFile::check(options_.output)) ||
+            !answer_.add(app::check_overwrites(options_.output, inputs))) {
+            return false;
+        }
+        array_.emplace(options_.output);
+        return true;
+    }
+
+    // The next points of the file; false if there are no more or they cannot be read.
+    bool next(std::vector<V3d>& points) {
+        if (!reader_) {
+            return false;
+        }
+        auto read = reader_->next();
+        if (!answer_.add(read.diagnostics)) {
+            return false;
+        }
+        points = std::move(*read);
+        return !points.empty();
+    }
+
+    void use(const Located& located) {
+        const bool first = count_ == 0;
+        if (first) {
+            answer_.facts = facts_of(located);
+            if (!array_) {
+                answer_.facts["points"] = nlohmann::json::array();
+            }
+        }
+        if (array_) {
+            array_->add(located, count_);
+        } else if (options_.manner.json) {
+            nlohmann::json points = points_json(located);
+            nlohmann::json& all = answer_.facts["points"];
+            all.insert(all.end(), points.begin(), points.end());
+        } else if (!options_.manner.quiet) {
+            print_result((first ? heading(located) : "") + text_of(located));
+        }
+    }
+
+    const LocateOptions& options_;
+    Answer& answer_;
+    std::optional<data::PointReader> reader_{};
+    std::optional<SightingArray> array_{};
+    std::size_t count_ = 0;
+};
 
 ExitCode locate(const LocateOptions& options) {
     Answer answer;
-    LocateRequest request = options.request;
-    if (!options.file.empty()) {
-        read_rows(options.file, request.points, answer.diagnostics);
-    }
-    if (answer.is_done()) {
-        const Interruptible work;
-        const Result<Located> located = app::locate(request, work.token());
-        if (answer.add(located.diagnostics)) {
-            answer.facts = json_of(*located);
-            answer.text = text_of(*located);
-        }
-    }
+    Run(options, answer)();
     return give(answer, options.manner);
 }
 
@@ -205,8 +323,14 @@ void add_locate_command(CLI::App& app, ExitCode& code) {
                 {{camera_argument(&LocateRequest::camera), point_option()}});
         all.rows.push_back(option({.name = "--points",
                                    .placeholder = "FILE",
-                                   .meaning = "table with one point per line; - is standard input"},
+                                   .meaning = "table with one point per line, or an array of NumPy "
+                                              "(.npy) of the shape (points, 3); - is standard "
+                                              "input"},
                                   text(OptionType::file), &LocateOptions::file));
+        all.rows.push_back(output_option(
+            &LocateOptions::output,
+            "array of NumPy (.npy) with a row for each sighting: number of the point from 0, x, y, "
+            "layer from 0, distance and, with --scene, 1 if it is hidden (default: text)"));
         app::Options<LocateRequest> request{
             {scene_option(&LocateRequest::scene,
                           "scene file: also report whether the point is hidden, by which object "
@@ -229,7 +353,8 @@ void add_locate_command(CLI::App& app, ExitCode& code) {
             "  balcony locate panorama --point 3,2,0.5\n"
             "  balcony locate pinhole --set fov=90deg --size 1920x1080 --axes y_up --point 1,0,-4\n"
             "  balcony locate my.cam:closeup --scene room.glb --fit --point 0,0.5,-1\n"
-            "  balcony locate my.cam:closeup --points corners.csv --json");
+            "  balcony locate my.cam:closeup --points corners.csv --json\n"
+            "  balcony locate my.cam:closeup --points cloud.npy -o seen.npy");
     };
     add_command<LocateOptions>(app, code, "locate",
                                "finds the positions in a picture that show given points in space",
