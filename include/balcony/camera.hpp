@@ -137,6 +137,8 @@ public:
     /// What the stages compute for this point, in the order in which they apply: the nodes that its
     /// ray is made of.
     [[nodiscard]] std::vector<StageValues> emit_stages(const PicturePoint& picture) const;
+    /// Whether its arrangers show a point of its own picture there: 1 or 0, and 1 without any.
+    [[nodiscard]] Expr emit_arranged(const PicturePoint& picture) const;
 
 private:
     /// The parts and the ray that they make in a picture of any size.

@@ -293,6 +293,23 @@ class Picture(support.CommandTest):
         self.assertEqual(facts["invalid_pixels"], 128)
         self.assertEqual(facts["diagnostics"][0]["severity"], "warning")
 
+    def test_what_is_cut_out_is_no_gap(self):
+        words = ("render", "scene.obj", "--size", "16x16", "-s", "1", "-o", "p.png")
+        out, err = self.run_command(*words, "-c", "fulldome")
+        self.assertEqual(err, "")
+        self.assertEqual(self.json_of(*words, "-c", "fulldome")["invalid_pixels"] > 0, True)
+        # A gap within what its arranger shows is one.
+        (self.folder / "ring.cam").write_text(
+            "camera ring {\n"
+            "    aspect 1\n"
+            "    arrange formula(x, y) = [if(x^2 + y^2 <= 1, x, 2), y]\n"
+            "    map u = -2 .. 2, v = square\n"
+            "    eye surface(u, v) = [u, v, 5 + sqrt(u^2 + v^2 - 1)/1e6]\n"
+            "    toward surface(u, v) = [u, v, 0]\n"
+            "}\n")
+        _, err = self.run_command(*words, "-c", "ring.cam")
+        self.assertIn("warning: camera 'ring' has no ray at", err)
+
     def test_a_camera_without_any_ray(self):
         _, err = self.run_command("render", "scene.obj", "--size", "8x8", "-o", "p.png", "-c",
                                   "my.cam:nowhere")

@@ -123,6 +123,12 @@ class Warp(support.CommandTest):
         for one, other in zip(*streams, strict=True):
             self.assertAlmostEqual(one, other, 6)
 
+    def test_the_circle_of_a_dome_master_is_no_fault(self):
+        # At this size, the border of the circle has more cells than are divided.
+        _, err = self.run_command("stmap", "pinhole", "--from", "fulldome", "--from-size",
+                                  "4096x4096", "--size", "16", "-o", "st.exr")
+        self.assertEqual(err, "")
+
     def test_cameras_without_a_single_viewpoint(self):
         words = ("--from", "panorama", "--size", "20x10", "-o", "st.exr")
         self.refused("stmap", "cylinder", *words, code=1, says="no single viewpoint",

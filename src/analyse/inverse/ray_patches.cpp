@@ -151,11 +151,23 @@ public:
         while (!cells.empty()) {
             work_.done(1.0 - area_of(cells) / whole);
             std::vector<Survey::Cell> smaller;
-            const bool may_divide = made_.patches.size() + 2 * cells.size() < max_patches &&
-                                    2 * cells.size() <= cells_left_;
+            const auto is_whole = [&rays](std::size_t i) {
+                const Places of_cell = Places(rays).subspan(i * Survey::places, Survey::places);
+                return std::all_of(of_cell.begin(), of_cell.end(),
+                                   [](const Ray& ray) { return ray.valid; });
+            };
+            std::size_t whole_cells = 0;
             for (std::size_t i = 0; i < cells.size(); ++i) {
+                whole_cells += is_whole(i) ? 1 : 0;
+            }
+            // Where a long border has too many cells, the others are still divided.
+            const bool may_divide = has_room_for(cells.size(), max_patches);
+            const bool may_divide_whole =
+                may_divide || has_room_for(whole_cells, max_patches + max_patches / 8);
+            for (std::size_t i = 0; i < cells.size(); ++i) {
+                const bool may = is_whole(i) ? may_divide_whole : may_divide;
                 judge(cells[i], std::span(rays).subspan(i * Survey::places, Survey::places),
-                      may_divide ? &smaller : nullptr);
+                      may ? &smaller : nullptr);
             }
             cells = std::move(smaller);
             cells_left_ -= cells.size();
@@ -166,6 +178,11 @@ public:
 
 private:
     using Places = std::span<const Ray>;
+
+    // Whether the halves of some cells are not too many.
+    [[nodiscard]] bool has_room_for(std::size_t cells, std::size_t patches) const {
+        return made_.patches.size() + 2 * cells < patches && 2 * cells <= cells_left_;
+    }
 
     static double area_of(const std::vector<Survey::Cell>& cells) {
         double area = 0.0;
@@ -191,7 +208,9 @@ private:
             return;
         }
         if (smaller == nullptr || longest <= minimum) {
-            made_.complete = made_.complete && longest <= minimum;
+            // A border need not be followed closer than smooth cells are divided.
+            made_.complete =
+                made_.complete && longest <= (all_valid ? minimum : min_smooth_half_size);
             keep_sides(cell, rays);
             return;
         }

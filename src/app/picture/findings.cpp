@@ -4,6 +4,7 @@
 #include "app/picture/findings.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -24,13 +25,59 @@ std::string name_of(const render::Summary::Layer& layer, const render::Summary& 
                        printable(layer.name));
 }
 
+/// Whether a camera lacks rays only where its arrangers show nothing of it, as around the circle of
+/// a dome master. It is looked at in some places.
+bool is_cut_out(const camera::Camera& camera, double time) {
+    if (camera.parts().arrangers.empty()) {
+        return false;
+    }
+    constexpr std::size_t side = 96;
+    expr::Graph graph;
+    const camera::PicturePoint point{
+        {side * camera.parts().aspect * graph.picture_x(), double{side} * graph.picture_y()},
+        {graph.constant(side * camera.parts().aspect), graph.constant(side)}};
+    const std::array roots{camera.emit_arranged(point), camera.emit(point).valid};
+    const std::vector<double> values = expr::BatchEvaluator(roots)(
+        side * side, [&](const expr::Node& leaf, std::span<double> of_leaf) {
+            const std::string& name = graph.input_names()[leaf.detail];
+            const auto& known = camera.parts().inputs;
+            const auto input =
+                std::find_if(known.begin(), known.end(),
+                             [&name](const camera::KnownInput& one) { return one.name == name; });
+            for (std::size_t i = 0; i < of_leaf.size(); ++i) {
+                of_leaf[i] = name == "x"            ? (static_cast<double>(i % side) + 0.5) / side
+                             : name == "y"          ? (static_cast<double>(i / side) + 0.5) / side
+                             : input == known.end() ? time
+                                                    : input->value;
+            }
+        });
+    for (std::size_t i = 0; i < side * side; ++i) {
+        if (values[i] == 1.0 && values[side * side + i] != 1.0) {
+            return false;
+        }
+    }
+    return true;
+}
+
 /// Reports where a layer has no ray.
-void describe_gaps(Report& report, const Shown& film, const render::Summary& summary) {
+void describe_gaps(Report& report, const Shown& film, const camera::Picture& picture, double time,
+                   const render::Summary& summary) {
+    std::vector<bool> cut_out(summary.layers.size(), false);
+    for (const camera::ShownCamera& shown : shown_cameras(picture)) {
+        for (const camera::ShownCamera::LayerUse& use : shown.uses) {
+            cut_out[use.index] =
+                summary.layers[use.index].invalid_rays > 0 && is_cut_out(shown.camera, time);
+        }
+    }
     const bool single = summary.layers.size() == 1;
     const std::string_view shown = film.has_background ? "show the background" : "are transparent";
-    for (const render::Summary::Layer& layer : summary.layers) {
+    for (std::size_t i = 0; i < summary.layers.size(); ++i) {
+        const render::Summary::Layer& layer = summary.layers[i];
         const std::string what = name_of(layer, summary);
         if (layer.invalid_rays == 0) {
+            continue;
+        }
+        if (cut_out[i] && layer.invalid_rays < layer.camera_rays) {
             continue;
         }
         if (layer.invalid_rays == layer.camera_rays) {
@@ -131,7 +178,7 @@ Diagnostics warn_of_starts(const std::string& camera, const render::Probe& probe
 
 void describe(Report& report, const Loaded& loaded, const camera::Picture& picture,
               const Shown& shown, const render::Summary& summary) {
-    describe_gaps(report, shown, summary);
+    describe_gaps(report, shown, picture, loaded.settings.time, summary);
     if (summary.repaired > 0) {
         report.diagnostics.push_back(warning(fmt::format(
             "{} samples had no finite colour and were replaced by black", summary.repaired)));

@@ -352,4 +352,10 @@ std::vector<StageValues> Camera::emit_stages(const PicturePoint& whole) const {
     return substitute(graph, emitted_->stages, put(own_point(whole, unused)));
 }
 
+Expr Camera::emit_arranged(const PicturePoint& whole) const {
+    Emitter emit(whole.size.width.graph());
+    (void)own_point(whole, emit);
+    return emit.valid();
+}
+
 }  // namespace balcony::camera
