@@ -80,6 +80,8 @@ public:
 
     /// The places for some rows, row by row.
     void run(std::size_t first_row, std::size_t rows, std::vector<SourcePlace>& places) const;
+    /// Those of any places of the camera's picture, in pixels; the coverage is 1 or 0.
+    void at(std::span<const V2d> of, std::vector<SourcePlace>& places) const;
 
 private:
     class Index;

@@ -89,6 +89,7 @@ ExitCode run(CLI::App& app, const std::vector<std::string>& line, int argc, char
     cli::add_rays_command(app, code);
     cli::add_stmap_command(app, code);
     cli::add_warp_command(app, code);
+    cli::add_blend_command(app, code);
     cli::add_export_command(app, code);
     cli::add_pov_command(app, code);
     // Looked up before the command line is parsed, since parsing may fail.

@@ -6,6 +6,7 @@ import re
 import shlex
 import shutil
 import signal
+import struct
 
 import support
 
@@ -39,6 +40,13 @@ class Documentation(support.CommandTest):
         (self.folder / "filmed.gltf").write_text(support.gltf_text_with_cameras())
         self.run_command("render", "scene.glb", "--size", "16x8", "-s", "1", "-o", "photo.png")
         (self.folder / "corners.csv").write_text("1,2,3\n-1,0,0.5\n")
+        header = "{'descr': '<f8', 'fortran_order': False, 'shape': (1, 3), }".ljust(117) + "\n"
+        (self.folder / "cloud.npy").write_bytes(
+            b"\x93NUMPY\x01\0" + struct.pack("<H", 118) + header.encode() +
+            struct.pack("<3d", 0, 0, 1))
+        domes = (support.REPOSITORY / "docs" / "domes.md").read_text()
+        (self.folder / "dome.cam").write_text(
+            re.search(r"^```cam\n(camera left .*?)^```", domes, re.MULTILINE | re.DOTALL)[1])
 
     def run_all(self, lines):
         for words in lines:
@@ -46,6 +54,7 @@ class Documentation(support.CommandTest):
                 # The last option of a kind counts, so these make the page's picture small.
                 size = ("-W", "24") if "-W" in words else ("--size", "24x16")
                 small = (*size, "--samples", "1") if words[0] in ("render", "animate") else ()
+                small = size if words[0] == "blend" else small
                 if words[0] == "merge" and words[1].endswith(".mp4") and not shutil.which("ffmpeg"):
                     continue
                 if words[0] == "animate":
@@ -93,6 +102,7 @@ class Documentation(support.CommandTest):
                 "info": ("room.glb",), "draw": ("pinhole", "-o", "p.svg"),
                 "export": ("pinhole", "-o", "p.osl"),
                 "rays": ("pinhole", "--size", "8", "-o", "r.npy"),
+                "blend": ("dome.cam:left", "--from", "fulldome", "--size", "8", "-o", "out"),
                 "stmap": ("pinhole", "--from", "panorama", "--size", "8", "-o", "st.exr"),
                 "warp": ("photo.png", "--from", "panorama", "--camera", "pinhole", "--size", "8",
                          "-o", "w.png"),
@@ -103,14 +113,16 @@ class Documentation(support.CommandTest):
             (row,) = re.findall(rf"^\| `{command}` \| (.*) \|$", page, re.MULTILINE)
             document = self.json_of(command, *words)
             inner = [document.get("scene", {}), *document.get("files", []),
-                     *document.get("stages", []), *document.get("pictures", [])]
+                     *document.get("stages", []), *document.get("pictures", []),
+                     *document.get("projectors", [])]
             for field in {"diagnostics", *document} | {name for part in inner for name in part}:
                 self.assertIn(f"`{field}`", page if field == "diagnostics" else row)
 
     def test_help(self):
         lines = []
         for words in ((), ("render",), ("animate",), ("check",), ("list",), ("info",), ("draw",),
-                      ("explain",), ("export",), ("locate",), ("rays",), ("stmap",), ("warp",)):
+                      ("explain",), ("export",), ("locate",), ("rays",), ("stmap",), ("warp",),
+                      ("blend",)):
             lines += command_lines(self.run_command(*words, "--help")[0])
         self.assertGreaterEqual(len(lines), 10)
         self.run_all(lines)

@@ -124,8 +124,9 @@ def gltf_text_with_cameras():
     return json.dumps(document)
 
 
-def png_pixels(path):
-    """Width, height and rows of pixels of an RGBA file of 8 bits a channel, each chunk checked."""
+def png_pixels(path, form=(8, 6)):
+    """Width, height and rows of pixels, each chunk checked. They are tuples of bytes: of a file of 8
+    bits a channel with red, green, blue and alpha, or with another form (bits, type of colours)."""
     data = Path(path).read_bytes()
     assert data[:8] == b"\x89PNG\r\n\x1a\n", "no PNG signature"
     place, packed, kinds = 8, b"", []
@@ -137,27 +138,28 @@ def png_pixels(path):
         kinds.append(kind)
         if kind == b"IHDR":
             width, height, bits, colour = struct.unpack_from(">IIBB", body)
-            assert (bits, colour) == (8, 6), "not RGBA of 8 bits"
+            assert (bits, colour) == form, f"not of the form {form}"
         packed += body if kind == b"IDAT" else b""
         place += 12 + length
     assert kinds[-1] == b"IEND", "the file ends early"
-    return width, height, unfiltered(zlib.decompress(packed), width, height)
+    size = bits // 8 * {2: 3, 6: 4}[colour]
+    return width, height, unfiltered(zlib.decompress(packed), width, height, size)
 
 
-def unfiltered(raw, width, height):
-    """Rows of a PNG image as lists of (r, g, b, a)."""
-    stride, rows, above = 4 * width, [], bytes(4 * width)
+def unfiltered(raw, width, height, size):
+    """Rows of a PNG image as lists of pixels of so many bytes."""
+    stride, rows, above = size * width, [], bytes(size * width)
     for y in range(height):
         kind = raw[y * (stride + 1)]
         row = bytearray(raw[y * (stride + 1) + 1:(y + 1) * (stride + 1)])
         for i in range(stride):
-            left = row[i - 4] if i >= 4 else 0
-            corner = above[i - 4] if i >= 4 else 0
+            left = row[i - size] if i >= size else 0
+            corner = above[i - size] if i >= size else 0
             guess = left + above[i] - corner
             paeth = min((abs(guess - left), 0, left), (abs(guess - above[i]), 1, above[i]),
                         (abs(guess - corner), 2, corner))[2]
             row[i] = (row[i] + (0, left, above[i], (left + above[i]) // 2, paeth)[kind]) & 255
-        rows.append([tuple(row[4 * x:4 * x + 4]) for x in range(width)])
+        rows.append([tuple(row[size * x:size * (x + 1)]) for x in range(width)])
         above = row
     return rows
 

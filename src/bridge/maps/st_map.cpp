@@ -103,6 +103,31 @@ public:
         places.assign(from, from + static_cast<std::ptrdiff_t>(rows * part.width));
     }
 
+    void at(std::span<const V2d> of, std::vector<SourcePlace>& places) const {
+        std::vector<double> x;
+        std::vector<double> y;
+        for (const V2d& one : of) {
+            x.push_back(one.x);
+            y.push_back(one.y);
+        }
+        Scratch scratch;
+        RayBatch batch;
+        rays_.run_at(x, y, scratch, batch);
+        std::vector<Pixel> pixels;
+        for (std::size_t i = 0; i < of.size(); ++i) {
+            if (batch.valid(i)) {
+                pixels.push_back({.index = i, .wanted = direction_of(batch, i)});
+            }
+        }
+        find_from_guesses(pixels);
+        places.assign(of.size(), {});
+        for (const Pixel& pixel : pixels) {
+            if (pixel.found) {
+                places[pixel.index] = place_of(pixel);
+            }
+        }
+    }
+
 private:
     static constexpr std::size_t step = 8;
 
@@ -368,6 +393,10 @@ bool StMap::closes() const { return index_->closes(); }
 
 void StMap::run(std::size_t first_row, std::size_t rows, std::vector<SourcePlace>& places) const {
     index_->run(first_row, rows, places);
+}
+
+void StMap::at(std::span<const V2d> of, std::vector<SourcePlace>& places) const {
+    index_->at(of, places);
 }
 
 }  // namespace balcony::bridge

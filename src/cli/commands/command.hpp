@@ -79,6 +79,7 @@ void add_merge_command(CLI::App& app, ExitCode& code);
 void add_rays_command(CLI::App& app, ExitCode& code);
 void add_stmap_command(CLI::App& app, ExitCode& code);
 void add_warp_command(CLI::App& app, ExitCode& code);
+void add_blend_command(CLI::App& app, ExitCode& code);
 void add_check_command(CLI::App& app, ExitCode& code);
 void add_explain_command(CLI::App& app, ExitCode& code);
 void add_fmt_command(CLI::App& app, ExitCode& code);

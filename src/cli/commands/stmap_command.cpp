@@ -71,7 +71,7 @@ void add_stmap_command(CLI::App& app, ExitCode& code) {
             "EXR file: red and green are the position in the photo, alpha is 1 where the photo "
             "shows the pixel",
             true));
-        all.add(&StMapOptions::photo, photo_options());
+        all.add(&StMapOptions::photo, photo_options_of_layers());
         all.add(&StMapOptions::photo_size,
                 {{app::size_option(
                     {.name = "--from-size",

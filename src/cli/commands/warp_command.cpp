@@ -78,7 +78,7 @@ void add_warp_command(CLI::App& app, ExitCode& code) {
                          text(OptionType::camera), &PhotoRequest::camera)}});
         all.rows.push_back(output_option(&WarpOptions::output,
                                          "output file: .png, .jpg, .webp, .tif, or .exr", true));
-        all.add(&WarpOptions::view, photo_options());
+        all.add(&WarpOptions::view, photo_options_of_layers());
         all.rows.push_back(app::dpi_option(&WarpOptions::dpi));
         all.add(manner_options(&WarpOptions::manner));
         command.add(std::move(all), options);

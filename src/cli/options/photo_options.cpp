@@ -5,7 +5,7 @@
 
 #include <limits>
 #include <memory>
-#include <tuple>
+#include <utility>
 
 #include "balcony/inverse.hpp"
 #include "cli/options/command_rows.hpp"
@@ -30,30 +30,54 @@ Result<bridge::RayGrid> make_grid(const camera::Picture& picture, std::array<std
                                            .footprints = true});
 }
 
-// A photo of another aspect is one that was scaled.
-std::optional<bridge::SourceCamera> make_source(const PhotoRequest& request,
-                                                std::optional<std::array<std::size_t, 2>> photo,
-                                                lang::Workspace& workspace, Diagnostics& found) {
-    const auto own = taken(load_picture(request.from, request.from_set, workspace), found);
-    if (!own) {
-        return std::nullopt;
-    }
-    const camera::Picture picture = own->with_fit(camera::Fit::stretch);
-    const auto [width, height] = app::SizeRequest{}.resolve(picture.aspect(), picture.parts().size);
-    const auto [columns, rows] = photo.value_or(std::array{width, height});
-    auto grid = taken(make_grid(picture, {columns, rows}, {}, request.time), found);
-    auto locator =
-        taken(analyse::Locator::make(picture, static_cast<double>(columns),
-                                     static_cast<double>(rows), request.time, Axes::z_up),
-              found);
+// A picture with its inverse.
+Result<bridge::SourceCamera> with_inverse(const camera::Picture& picture,
+                                          std::array<std::size_t, 2> size, double time) {
+    Diagnostics found;
+    auto grid = taken(make_grid(picture, size, {}, time), found);
+    auto locator = taken(analyse::Locator::make(picture, static_cast<double>(size[0]),
+                                                static_cast<double>(size[1]), time, Axes::z_up),
+                         found);
     if (!grid || !locator) {
-        return std::nullopt;
+        return found;
     }
-    return bridge::SourceCamera{std::move(*grid),
-                                std::make_shared<const analyse::Locator>(std::move(*locator))};
+    return {bridge::SourceCamera{std::move(*grid),
+                                 std::make_shared<const analyse::Locator>(std::move(*locator))},
+            std::move(found)};
+}
+
+std::array<std::size_t, 2> size_of(const PhotoRequest& request, const camera::Picture& picture) {
+    const auto [width, height] = request.size.resolve(picture.aspect(), picture.parts().size);
+    return {width, height};
 }
 
 }  // namespace
+
+Result<bridge::SourceCamera> make_wanted(const PhotoRequest& request, lang::Workspace& workspace) {
+    const auto own = load_picture(request.camera, request.set, workspace);
+    if (!own) {
+        return own.diagnostics;
+    }
+    auto made = with_inverse(own->with_fit(request.size.fit), size_of(request, *own), request.time);
+    made.diagnostics.insert(made.diagnostics.begin(), own.diagnostics.begin(),
+                            own.diagnostics.end());
+    return made;
+}
+
+// A photo of another aspect is one that was scaled.
+Result<bridge::SourceCamera> make_source(const PhotoRequest& request,
+                                         std::optional<std::array<std::size_t, 2>> photo,
+                                         lang::Workspace& workspace) {
+    const auto own = load_picture(request.from, request.from_set, workspace);
+    if (!own) {
+        return own.diagnostics;
+    }
+    auto made = with_inverse(own->with_fit(camera::Fit::stretch), photo.value_or(size_of({}, *own)),
+                             request.time);
+    made.diagnostics.insert(made.diagnostics.begin(), own.diagnostics.begin(),
+                            own.diagnostics.end());
+    return made;
+}
 
 app::Options<PhotoRequest> photo_options() {
     app::Options<PhotoRequest> made{
@@ -72,10 +96,16 @@ app::Options<PhotoRequest> photo_options() {
                .meaning = "use a camera without a single viewpoint by the directions of its rays "
                           "alone"},
               true, &PhotoRequest::allow_parallax),
-         app::set_option(&PhotoRequest::set), layer_option(&PhotoRequest::layer)}};
+         app::set_option(&PhotoRequest::set)}};
     made.add(&PhotoRequest::size, app::size_options("size of the picture in pixels"));
     made.add(&PhotoRequest::size, app::aspect_options());
     made.rows.push_back(app::time_option(std::numeric_limits<double>::max(), &PhotoRequest::time));
+    return made;
+}
+
+app::Options<PhotoRequest> photo_options_of_layers() {
+    app::Options<PhotoRequest> made = photo_options();
+    made.rows.push_back(layer_option(&PhotoRequest::layer));
     return made;
 }
 
@@ -84,14 +114,13 @@ Result<bridge::StMap> make_st_map(const PhotoRequest& request,
                                   lang::Workspace& workspace) {
     Diagnostics found;
     const auto picture = taken(load_picture(request.camera, request.set, workspace), found);
-    const auto source = make_source(request, photo_size, workspace, found);
+    const auto source = taken(make_source(request, photo_size, workspace), found);
     if (!picture || !source) {
         return found;
     }
-    std::array<std::size_t, 2> size{};
-    std::tie(size[0], size[1]) = request.size.resolve(picture->aspect(), picture->parts().size);
-    const auto grid = taken(
-        make_grid(picture->with_fit(request.size.fit), size, request.layer, request.time), found);
+    const auto grid = taken(make_grid(picture->with_fit(request.size.fit),
+                                      size_of(request, *picture), request.layer, request.time),
+                            found);
     if (!grid) {
         return found;
     }
