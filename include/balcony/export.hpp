@@ -40,6 +40,7 @@ struct ExportSource {
 struct ExportOptions {
     std::optional<Axes> axes{};  ///< Of the rays; by default the target's, or the camera's own.
     bool single = false;         ///< Single precision, where a language has both.
+    bool inverse = false;        ///< Also a function from points to positions, where it has one.
     /// The picture, in pixels, in which single precision is judged; not judged if empty.
     std::optional<std::array<std::size_t, 2>> judged_in{};
 };
@@ -75,6 +76,7 @@ struct ExportTarget {
     bool always_single = false;     ///< It has single precision only.
     bool opens_parameters = false;  ///< Parameters stay open unless others are asked for.
     bool footprints = false;        ///< The text has the derivatives of the ray.
+    bool has_inverse = false;       ///< It can find points: ExportOptions::inverse.
     std::optional<Axes> axes{};     ///< Of the rays, if these are not the camera's own.
     bool only_axes = false;         ///< These axes and no others.
     /// The camera as far as the language can have it; null if it can have all.

@@ -5,13 +5,17 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 
 #include <dlfcn.h>
 #include <fmt/format.h>
 
+#include "balcony/inverse.hpp"
 #include "bridge/text/camera_formulas.hpp"
 #include "examples.hpp"
 
@@ -22,19 +26,23 @@ namespace fs = std::filesystem;
 using test::Example;
 using test::ExportedRay;
 
+// Derivatives of a megabyte of noise take a compiler too long for a test.
+bool is_searched(const Example& example) { return example.camera.operations() < 3000; }
+
 /// The functions of all examples in one library.
 class Library {
 public:
-    explicit Library(bool single) {
-        folder_ = fs::temp_directory_path() /
-                  fmt::format("balcony-c-{}-{}", single ? "single" : "double", getpid());
+    explicit Library(bool single, bool inverse = false) {
+        folder_ =
+            fs::temp_directory_path() /
+            fmt::format("balcony-c-{}-{}-{}", single ? "single" : "double", inverse, getpid());
         fs::create_directories(folder_);
         const fs::path source = folder_ / "all.c";
         std::ofstream text(source);
         for (const Example& example : test::examples()) {
-            const auto made =
-                export_camera(*find_export_target("c"), {example.camera}, {.single = single});
-            text << (made ? made->text : "");
+            const auto made = export_camera(*find_export_target("c"), {example.camera},
+                                            {.single = single, .inverse = inverse});
+            text << (made && (!inverse || is_searched(example)) ? made->text : "");
         }
         text.close();
         const std::string command = fmt::format(
@@ -54,6 +62,22 @@ public:
     }
 
     [[nodiscard]] bool compiled() const { return compiled_; }
+
+    /// The position whose ray passes a point, and the distance.
+    struct Found {
+        std::array<double, 2> position{};
+        double distance = 0.0;
+    };
+    [[nodiscard]] std::optional<Found> find(const Example& example,
+                                            const analyse::V3d& point) const {
+        using Find = int (*)(const double*, double, double, double, double*, double*);
+        Found made;
+        const auto find = reinterpret_cast<Find>(dlsym(handle_, (example.name + "_find").c_str()));
+        return find(&point.x, test::width, test::height, 0.0, made.position.data(),
+                    &made.distance) != 0
+                   ? std::optional(made)
+                   : std::nullopt;
+    }
 
     template <class Real>
     [[nodiscard]] std::vector<ExportedRay> rays(const Example& example, bool lens) const {
@@ -131,6 +155,53 @@ TEST(CExport, InSinglePrecisionDiffersAsMuchAsIsReported) {
         EXPECT_LE(comparison.lost, reported.lost) << example.name;
         EXPECT_LT(comparison.largest, 1e-3 + 4.0 * reported.largest) << example.name;
     }
+}
+
+// Every tenth point of the picture, at a distance on its ray that is no radius of an example: all
+// of a row may see the axis of a cylinder.
+TEST(CExport, FindsPointsWhereBalconyLocatesThem) {
+    const Library library(false, true);
+    ASSERT_TRUE(library.compiled());
+    std::size_t wanted = 0;
+    std::size_t found = 0;
+    for (const Example& example : test::examples()) {
+        if (!test::has_formulas(example) || !is_searched(example)) {
+            continue;
+        }
+        const auto locator =
+            analyse::Locator::make(camera::Picture(example.camera).with_fit(camera::Fit::stretch),
+                                   test::width, test::height);
+        ASSERT_TRUE(locator) << example.name;
+        const std::vector<ExportedRay> rays =
+            library.rays<double>(example, example.camera.parts().lens != nullptr);
+        for (std::size_t i = 0; i < rays.size(); i += 10) {
+            if (!rays[i].valid) {
+                continue;
+            }
+            const analyse::V3d origin(rays[i].origin[0], rays[i].origin[1], rays[i].origin[2]);
+            const analyse::V3d direction(rays[i].direction[0], rays[i].direction[1],
+                                         rays[i].direction[2]);
+            const analyse::V3d point = origin + 2.7 * direction;
+            const std::vector<analyse::Sighting> sightings = locator->locate(point);
+            const auto place = library.find(example, point);
+            ++wanted;
+            found += place ? 1 : 0;
+            if (!place || sightings.empty()) {
+                continue;
+            }
+            const bool same =
+                std::any_of(sightings.begin(), sightings.end(), [&](const analyse::Sighting& one) {
+                    return std::abs(one.position.x - place->position[0]) < 0.01 &&
+                           std::abs(one.position.y - place->position[1]) < 0.01 &&
+                           std::abs(one.distance - place->distance) < 1e-3 * one.distance;
+                });
+            EXPECT_TRUE(same) << example.name << ' ' << place->position[0] << ' '
+                              << place->position[1];
+        }
+    }
+    EXPECT_GT(wanted, 2000U);
+    // Some lie behind seams of every_side, where the best positions of the grid are in other parts.
+    EXPECT_GT(static_cast<double>(found), 0.995 * static_cast<double>(wanted)) << wanted;
 }
 
 }  // namespace

@@ -56,6 +56,16 @@ class Export(support.CommandTest):
         self.refused("export", "tower.cam:tower", "--to", "c", "--parameters", "lena", code=1,
                      says="no parameter 'lena'", helps="did you mean 'lean'")
 
+    def test_the_inverse_stands_behind_the_ray(self):
+        for words in (("--to", "c", "--parameters", "all"), ("--to", "numpy")):
+            plain = self.run_command("export", "tower.cam:tower", *words)[0]
+            whole = self.run_command("export", "tower.cam:tower", *words, "--inverse")[0]
+            self.assertTrue(whole.startswith(plain[:200]))
+            self.assertNotIn("tower_find(", plain)
+            self.assertIn("tower_find(", whole)
+        self.refused("export", "tower.cam:tower", "--to", "osl", "--inverse", code=2,
+                     says="in the language osl finds no points", helps="--to c")
+
     def test_single_precision_is_judged(self):
         facts = self.json_of("export", "tower.cam:tower", "--to", "osl", "--json")
         self.assertLess(facts["single_precision"]["largest_pixels"], 0.01)

@@ -69,6 +69,24 @@ for name in exports["examples"]:
 json.dump(made, sys.stdout)
 """
 
+FIND_NUMPY = """
+import importlib, json, sys
+import numpy as np
+sys.path.insert(0, sys.argv[1])
+exports = json.load(open(sys.argv[1] + "/exports.json"))
+made = {}
+for name, entry in exports["examples"].items():
+    if entry["located"] and "numpy" in entry.get("languages", ()):
+        find = getattr(importlib.import_module(name), name + "_find")
+        points = np.array([one["point"] for one in entry["located"]])
+        found, distance = find(points, exports["width"], exports["height"])
+        one, z = find(points[0], exports["width"], exports["height"])
+        assert one.shape == (2,) and np.array_equal(one, found[0], equal_nan=True), name
+        made[name] = [None if np.isnan(d) else [*p, d]
+                      for p, d in zip(found.tolist(), distance.tolist())]
+json.dump(made, sys.stdout)
+"""
+
 PAGE = """<!DOCTYPE html><script>
 const cameras = CAMERAS, points = POINTS;
 const pause = milliseconds => new Promise(resolve => setTimeout(resolve, milliseconds));
@@ -242,6 +260,23 @@ class ExportsTest(unittest.TestCase):
         made = json.loads(done.stdout)
         self.assertGreaterEqual(len(made) + 3, len(self.exports["examples"]), "all but meshes")
         self.compare(made, 1e-6)
+
+    def test_numpy_finds_points_where_balcony_locates_them(self):
+        done = subprocess.run([python_with("numpy"), "-c", FIND_NUMPY, self.folder], check=True,
+                              stdout=subprocess.PIPE)
+        wanted, found = 0, 0
+        for name, places in json.loads(done.stdout).items():
+            for place, entry in zip(places, self.exports["examples"][name]["located"], strict=True):
+                wanted += 1
+                found += place is not None
+                if place is None or not entry["sightings"]:
+                    continue
+                with self.subTest(camera=name):
+                    nearest = min(entry["sightings"], key=lambda one: math.dist(one[:2], place[:2]))
+                    self.assertLess(math.dist(nearest[:2], place[:2]), 0.01)
+                    self.assertAlmostEqual(nearest[2], place[2], delta=1e-3 * nearest[2])
+        self.assertGreater(wanted, 2000)
+        self.assertGreater(found, 0.995 * wanted)
 
     def shaded(self, name, python):
         """The rays of an OSL shader as OSL computes them."""

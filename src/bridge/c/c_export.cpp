@@ -3,10 +3,13 @@
 
 // A camera as one C99 function.
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 
+#include "bridge/c/inverse_text.hpp"
 #include "bridge/text/targets.hpp"
 #include "bridge/text/text_export.hpp"
 
@@ -49,12 +52,12 @@ std::string c_array(std::string_view name, const std::vector<std::string>& value
 
 // Words of C, and names that the text needs itself.
 const std::set<std::string_view> c_words{
-    "auto",     "break",  "case",      "char",      "const",    "continue", "default",  "do",
-    "double",   "else",   "enum",      "extern",    "float",    "for",      "goto",     "if",
-    "inline",   "int",    "long",      "register",  "restrict", "return",   "short",    "signed",
-    "sizeof",   "static", "struct",    "switch",    "typedef",  "union",    "unsigned", "void",
-    "volatile", "while",  "x",         "y",         "t",        "width",    "height",   "lens_x",
-    "lens_y",   "origin", "direction", "parameters"};
+    "auto",     "break",  "case",      "char",       "const",    "continue", "default",  "do",
+    "double",   "else",   "enum",      "extern",     "float",    "for",      "goto",     "if",
+    "inline",   "int",    "long",      "register",   "restrict", "return",   "short",    "signed",
+    "sizeof",   "static", "struct",    "switch",     "typedef",  "union",    "unsigned", "void",
+    "volatile", "while",  "x",         "y",          "t",        "width",    "height",   "lens_x",
+    "lens_y",   "origin", "direction", "parameters", "slopes"};
 
 class CExport : TextExport {
 public:
@@ -70,8 +73,7 @@ public:
             .single = single_,
             .behind_standard = suffix_,
             .words = {{"@", name_}, {"~", std::string(suffix_)}, {"REAL", std::string(real_)}}};
-        const Listing made =
-            listing(dialect, [this](std::string_view input) { return input_text(input); });
+        const InputText input = [this](std::string_view name) { return input_text(name); };
         const CLike language{real_,
                              "int",
                              "const ",
@@ -80,6 +82,13 @@ public:
                              "(int){0}",
                              number_,
                              single_ ? c_array<true> : c_array<false>};
+        std::optional<Listing> slopes;
+        if (formulas_.roots.size() > RayRoots::end_of_ray) {
+            Names own = names_;
+            slopes = listing_of(formulas_, dialect, own, name_ + "_slopes_", input);
+            formulas_.roots.resize(RayRoots::end_of_ray);
+        }
+        const Listing made = listing(dialect, input);
         std::string text =
             comment(
                 {"x to the right and y down from the top left corner, pixel centres at .5. It "
@@ -87,8 +96,9 @@ public:
                  "ray's origin and its direction of unit length, or 0 where there is no ray."}) +
             "\n#include <math.h>\n\n" + parameter_struct();
         text += functions(language, made);
-        return text + signature() + " {\n" + unused_inputs(made) + definitions(language, made) +
-               results(made) + "}\n";
+        text += "int " + signature("ray", "") + " {\n" + unused_inputs(made) +
+                definitions(language, made) + results(made) + "}\n";
+        return slopes ? text + inverse(language, dialect, made, std::move(*slopes)) : text;
     }
 
 private:
@@ -116,14 +126,51 @@ private:
                           name_, fmt::join(values, ", "));
     }
 
-    [[nodiscard]] std::string signature() const {
+    // Of a function that begins like the one of the ray.
+    [[nodiscard]] std::string signature(std::string_view function, std::string_view more) const {
         return fmt::format(
-            "int {0}_ray({1} x, {1} y, {1} width, {1} height, {1} t,{2}{3}\n"
-            "        {1} origin[3], {1} direction[3])",
+            "{0}_{4}({1} x, {1} y, {1} width, {1} height, {1} t,{2}{3}\n"
+            "        {1} origin[3], {1} direction[3]{5})",
             name_, real_, formulas_.lens ? fmt::format(" {0} lens_x, {0} lens_y,", real_) : "",
             source_.parameters.empty()
                 ? ""
-                : fmt::format("\n        const {}_parameters* parameters,", name_));
+                : fmt::format("\n        const {}_parameters* parameters,", name_),
+            function, more);
+    }
+
+    // The ray with its derivatives, and the search that uses them.
+    [[nodiscard]] std::string inverse(const CLike& language, const Dialect& dialect,
+                                      const Listing& ray, Listing slopes) const {
+        std::erase_if(slopes.helpers, [&ray](const std::string& helper) {
+            return std::find(ray.helpers.begin(), ray.helpers.end(), helper) != ray.helpers.end();
+        });
+        std::string text =
+            "\n// The same with the derivatives of origin and direction by x and by y: origin by "
+            "x, "
+            "origin by y,\n// direction by x, direction by y.\n" +
+            functions(language, slopes) + "static int " +
+            signature("slopes", fmt::format(",\n        {} slopes[4][3]", real_)) + " {\n" +
+            unused_inputs(slopes) + definitions(language, slopes) + "\n";
+        for (std::size_t i = 0; i < 12; ++i) {
+            text += fmt::format("    slopes[{}][{}] = {};\n", i / 3, i % 3,
+                                slopes.roots[RayRoots::origin_by_x + i].text);
+        }
+        const std::string parameters = source_.parameters.empty() ? "" : ", parameters";
+        std::string search = dialect.spelled(c_inverse);
+        for (const auto& [word, by] : std::initializer_list<std::pair<std::string, std::string>>{
+                 {"GIVEN",
+                  fmt::format("{0} width, {0} height, {0} t{1}", real_,
+                              source_.parameters.empty()
+                                  ? ""
+                                  : fmt::format(", const {}_parameters* parameters", name_))},
+                 {"PASSED_ON", "width, height, t" + parameters},
+                 {"PASSED",
+                  fmt::format("width, height, t{}{}", formulas_.lens ? ", 0, 0" : "", parameters)},
+                 {"TOLERANCE", single_ ? "1e-2" : "1e-7"},
+                 {"ROUNDING", single_ ? "1e-5" : "1e-10"}}) {
+            search = replaced(std::move(search), word, by);
+        }
+        return text + results(slopes).substr(1) + "}\n" + search;
     }
 
     // Compilers warn of parameters that a function does not use.
@@ -168,7 +215,11 @@ Result<std::string> write_c(const ExportSource& source, const ExportOptions& opt
 }  // namespace
 
 ExportTarget c_target() {
-    return {"c", "one C99 function, in double or single precision", ".c", write_c};
+    return {.name = "c",
+            .meaning = "one C99 function, in double or single precision",
+            .ending = ".c",
+            .write = write_c,
+            .has_inverse = true};
 }
 
 }  // namespace balcony::bridge

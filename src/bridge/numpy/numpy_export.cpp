@@ -3,10 +3,13 @@
 
 // A camera as one Python function that computes many rays at a time with NumPy.
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 
+#include "bridge/numpy/inverse_text.hpp"
 #include "bridge/text/targets.hpp"
 #include "bridge/text/text_export.hpp"
 
@@ -72,7 +75,8 @@ const std::set<std::string_view> python_words{
     "finally", "for",      "from",     "global", "if",        "import", "in",     "is",
     "lambda",  "nonlocal", "not",      "or",     "pass",      "raise",  "return", "try",
     "while",   "with",     "yield",    "np",     "x",         "y",      "t",      "width",
-    "height",  "lens_x",   "lens_y",   "origin", "direction", "valid"};
+    "height",  "lens_x",   "lens_y",   "origin", "direction", "valid",  "slopes", "slope_0",
+    "slope_1", "slope_2",  "slope_3"};
 
 class NumpyExport : TextExport {
 public:
@@ -85,20 +89,33 @@ public:
                               .number_of_condition = "np.where({0}, 1.0, 0.0)",
                               .condition_of_number = "(({0}) != 0.0)",
                               .before_standard = "np."};
-        const Listing made =
-            listing_of(formulas_, dialect, names_, "_",
-                       [this](std::string_view input) { return input_name(input); });
-        std::string text = commented(opening_lines(source_), "#") + "\nimport numpy as np\n\n\n";
-        for (const std::string& helper : made.helpers) {
-            text += helper + "\n";
+        const InputText input = [this](std::string_view name) { return input_name(name); };
+        std::optional<Listing> slopes;
+        if (formulas_.roots.size() > RayRoots::end_of_ray) {
+            Names own = names_;
+            slopes = listing_of(formulas_, dialect, own, "_slopes_", input);
+            formulas_.roots.resize(RayRoots::end_of_ray);
         }
-        return text + tables(made) + function(made);
+        const Listing made = listing_of(formulas_, dialect, names_, "_", input);
+        std::string text = commented(opening_lines(source_), "#") + "\nimport numpy as np\n\n\n";
+        std::vector<std::string> helpers = made.helpers;
+        if (slopes) {
+            helpers.insert(helpers.end(), slopes->helpers.begin(), slopes->helpers.end());
+        }
+        for (auto helper = helpers.begin(); helper != helpers.end(); ++helper) {
+            text += std::find(helpers.begin(), helper, *helper) == helper ? *helper + "\n" : "";
+        }
+        text += made.tables.empty() && (!slopes || slopes->tables.empty())
+                    ? std::string_view()
+                    : lookup_helper.substr(1);
+        text += tables(made) + (slopes ? tables(*slopes) : "") + function(made);
+        return slopes ? text + inverse(*slopes) : text;
     }
 
 private:
     // A table is an array of coefficients, and a function that looks into it.
     [[nodiscard]] static std::string tables(const Listing& listing) {
-        std::string text(listing.tables.empty() ? "" : lookup_helper.substr(1));
+        std::string text;
         for (const ListedTable& listed : listing.tables) {
             std::string axes;
             for (const expr::Table::Axis& axis : listed.table->axes) {
@@ -117,14 +134,27 @@ private:
         return text.empty() ? text : text + "\n";
     }
 
-    [[nodiscard]] std::string function(const Listing& listing) const {
-        std::string given = "x, y, width, height, t=0.0";
-        given += formulas_.lens ? ", lens_x=0.0, lens_y=0.0" : "";
+    // The parameters behind x and y, and the same as arguments.
+    [[nodiscard]] std::string given() const {
+        std::string text = "width, height, t=0.0";
+        text += formulas_.lens ? ", lens_x=0.0, lens_y=0.0" : "";
         for (std::size_t i = 0; i < parameters_.size(); ++i) {
-            given += fmt::format(", {}={}", parameters_[i], number(source_.parameters[i].value));
+            text += fmt::format(", {}={}", parameters_[i], number(source_.parameters[i].value));
         }
-        std::string text = fmt::format(
-            "def {}_ray({}):\n"
+        return text;
+    }
+    [[nodiscard]] std::string inputs() const {
+        std::string text = "width, height, t";
+        text += formulas_.lens ? ", lens_x, lens_y" : "";
+        for (const std::string& parameter : parameters_) {
+            text += ", " + parameter;
+        }
+        return text;
+    }
+
+    [[nodiscard]] std::string function(const Listing& listing) const {
+        const std::string head = fmt::format(
+            "def {}_ray(x, y, {}):\n"
             "    \"\"\"The rays of points (x, y) of a picture of width x height pixels, at time "
             "t.\n"
             "\n"
@@ -134,21 +164,21 @@ private:
             "and\n"
             "    whether there is a ray. {}\n{}"
             "    \"\"\"\n",
-            name_, given, world(formulas_.axes),
+            name_, given(), world(formulas_.axes),
             formulas_.lens
                 ? "    A ray passes the point (lens_x, lens_y) of the lens, each from -1 to 1.\n"
                 : "");
-        std::string inputs = "width, height, t";
-        inputs += formulas_.lens ? ", lens_x, lens_y" : "";
-        for (const std::string& parameter : parameters_) {
-            inputs += ", " + parameter;
-        }
+        return head + body(listing) + "    return origin, direction, valid\n";
+    }
+
+    // The definitions of a function, and the ray.
+    [[nodiscard]] std::string body(const Listing& listing) const {
         // NumPy's numbers are divided by 0 without an exception.
-        text += fmt::format(
+        std::string text = fmt::format(
             "    x, y = np.broadcast_arrays(np.asarray(x, float), np.asarray(y, float))\n"
             "    {0} = (np.asarray(a, float) for a in ({0}))\n"
             "    with np.errstate(all=\"ignore\"):\n",
-            inputs);
+            inputs());
         for (const ListedSection& section : listing.sections) {
             text += fmt::format("        # {}\n", comment_line(section.comment));
             for (const ListedLine& line : section.lines) {
@@ -158,10 +188,25 @@ private:
         }
         return text + vector(listing, "origin", RayRoots::origin) +
                vector(listing, "direction", RayRoots::direction) +
-               fmt::format(
-                   "        valid = ({}) & np.ones(x.shape, bool)\n"
-                   "    return origin, direction, valid\n",
-                   listing.roots[RayRoots::valid].text);
+               fmt::format("        valid = ({}) & np.ones(x.shape, bool)\n",
+                           listing.roots[RayRoots::valid].text);
+    }
+
+    // The rays with their derivatives, and the search that uses them.
+    [[nodiscard]] std::string inverse(const Listing& slopes) const {
+        std::string text = fmt::format(
+            "\n\ndef {}_slopes(x, y, {}):\n"
+            "    \"\"\"Rays, and the derivatives of origin by x and by y and of direction by x and "
+            "by y.\"\"\"\n",
+            name_, given());
+        text += body(slopes);
+        for (std::size_t i = 0; i < 4; ++i) {
+            text += vector(slopes, fmt::format("slope_{}", i), RayRoots::origin_by_x + 3 * i);
+        }
+        text +=
+            "        slopes = np.stack([slope_0, slope_1, slope_2, slope_3], axis=-2)\n"
+            "    return origin, direction, valid, slopes\n";
+        return text + replaced(std::string(numpy_inverse), "@", name_);
     }
 
     [[nodiscard]] static std::string vector(const Listing& listing, std::string_view name,
@@ -182,8 +227,11 @@ Result<std::string> write_numpy(const ExportSource& source, const ExportOptions&
 }  // namespace
 
 ExportTarget numpy_target() {
-    return {"numpy", "one Python function that computes many rays at a time with NumPy", ".py",
-            write_numpy};
+    return {.name = "numpy",
+            .meaning = "one Python function that computes many rays at a time with NumPy",
+            .ending = ".py",
+            .write = write_numpy,
+            .has_inverse = true};
 }
 
 }  // namespace balcony::bridge

@@ -33,10 +33,11 @@ Result<ExportedCamera> export_camera(const ExportTarget& target, const ExportSou
         return std::move(camera.diagnostics);
     }
     const bool is_judged = (options.single || target.always_single) && options.judged_in;
+    const bool inverse = options.inverse && target.has_inverse;
     const Axes usual = target.axes.value_or(camera->parts().axes);
-    Result<CameraFormulas> formulas = formulas_of(
-        *camera,
-        {target.only_axes ? usual : options.axes.value_or(usual), target.footprints, is_judged});
+    Result<CameraFormulas> formulas =
+        formulas_of(*camera, {target.only_axes ? usual : options.axes.value_or(usual),
+                              target.footprints, is_judged || inverse});
     if (!formulas) {
         return std::move(formulas.diagnostics);
     }
@@ -44,7 +45,7 @@ Result<ExportedCamera> export_camera(const ExportTarget& target, const ExportSou
     if (is_judged) {
         made.single = measure_single_precision(*formulas, source.parameters, *options.judged_in);
     }
-    if (!target.footprints) {
+    if (!target.footprints && !inverse) {
         formulas->roots.resize(RayRoots::end_of_ray);
     }
     Result<std::string> text = target.write(source, options, std::move(*formulas));

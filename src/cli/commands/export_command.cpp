@@ -26,6 +26,7 @@ struct CameraExportOptions {
     std::vector<std::string> set;
     std::string parameters = "auto";
     std::string precision = "double";
+    bool inverse = false;
     std::optional<Axes> axes;
     SizeRequest size;
     Manner manner;
@@ -62,6 +63,15 @@ void choose_target(CameraExportOptions& options, const app::GivenWords& given, D
     if (options.target == nullptr) {
         found.push_back(error(Kind::usage, "what the camera is exported to is not known",
                               "add --to and one of " + target_names()));
+    }
+}
+
+void check_inverse(CameraExportOptions& options, const app::GivenWords&, Diagnostics& found) {
+    if (options.inverse && options.target != nullptr && !options.target->has_inverse) {
+        found.push_back(
+            error(Kind::usage,
+                  fmt::format("a camera in the language {} finds no points", options.target->name),
+                  "omit --inverse, or use --to c or --to numpy"));
     }
 }
 
@@ -175,6 +185,7 @@ std::string make_text(const CameraExportOptions& options, Answer& answer) {
     }
     bridge::ExportOptions wanted;
     wanted.single = options.precision == "single" || options.target->always_single;
+    wanted.inverse = options.inverse;
     wanted.axes = options.axes;
     if (wanted.single) {
         const auto [width, height] = options.size.resolve(ready->source.camera.parts().aspect);
@@ -255,6 +266,10 @@ void add_export_command(CLI::App& app, ExitCode& code) {
                     app::choice(std::vector<app::OptionChoice>{{"single"}, {"double"}},
                                 "give single or double"),
                     &CameraExportOptions::precision),
+             flag({.name = "--inverse",
+                   .meaning = "also write a function from points in space to positions in the "
+                              "picture (c, numpy)"},
+                  true, &CameraExportOptions::inverse),
              axes_option(&CameraExportOptions::axes,
                          "the world of the rays: z_up or y_up (default: the camera's own, or y_up "
                          "for pov)")}};
@@ -264,12 +279,14 @@ void add_export_command(CLI::App& app, ExitCode& code) {
         all.add(manner_options(&CameraExportOptions::manner,
                                "print file name, facts and diagnostics as JSON"));
         all.checks.emplace_back(choose_target);
+        all.checks.emplace_back(check_inverse);
         command.add(std::move(all), options);
         command.footer(
             "Languages:\n" + target_list() +
             "\nExamples:\n"
             "  balcony export superelliptic --to c -o superelliptic.c\n"
             "  balcony export my.cam:closeup -o closeup.osl\n"
+            "  balcony export panorama --inverse -o panorama.py\n"
             "  balcony export my.cam:closeup --to c --precision single --parameters all");
     };
     add_command<CameraExportOptions>(app, code, "export",

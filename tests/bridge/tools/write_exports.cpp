@@ -16,6 +16,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "balcony/inverse.hpp"
 #include "balcony/rays.hpp"
 #include "examples.hpp"
 
@@ -52,6 +53,32 @@ json rays_json(const Example& example) {
                        {"origin_by_y", vector_json(ray.origin_by_y)},
                        {"direction_by_x", vector_json(ray.direction_by_x)},
                        {"direction_by_y", vector_json(ray.direction_by_y)}});
+    }
+    return all;
+}
+
+// Every tenth point of the picture, at a distance of 2.7 on its ray, and where the camera shows it;
+// for cameras whose text is not too long.
+json located_json(const Example& example, const json& rays) {
+    json all = json::array();
+    const auto locator =
+        analyse::Locator::make(camera::Picture(example.camera).with_fit(camera::Fit::stretch),
+                               bridge::test::width, bridge::test::height);
+    for (std::size_t i = 0; locator && example.camera.operations() < 3000 && i < rays.size();
+         i += 10) {
+        if (rays[i].is_null()) {
+            continue;
+        }
+        analyse::V3d point;
+        for (int k = 0; k < 3; ++k) {
+            point[k] = rays[i]["origin"][static_cast<std::size_t>(k)].get<double>() +
+                       2.7 * rays[i]["direction"][static_cast<std::size_t>(k)].get<double>();
+        }
+        json entry{{"point", vector_json(point)}, {"sightings", json::array()}};
+        for (const analyse::Sighting& one : locator->locate(point)) {
+            entry["sightings"].push_back({one.position.x, one.position.y, one.distance});
+        }
+        all.push_back(std::move(entry));
     }
     return all;
 }
@@ -121,10 +148,12 @@ int main(int argc, char** argv) {
     for (const Example& example : bridge::test::examples()) {
         json& entry = document["examples"][example.name];
         entry["rays"] = rays_json(example);
+        entry["located"] = located_json(example, entry["rays"]);
         entry["lens"] = example.camera.parts().lens != nullptr;
         entry["y_up"] = example.camera.parts().axes == Axes::y_up;
         for (const bridge::ExportTarget& target : bridge::export_targets()) {
-            const auto text = export_camera(target, {example.camera});
+            const auto text =
+                export_camera(target, {example.camera}, {.inverse = !entry["located"].empty()});
             if (text) {
                 std::ofstream(folder / (example.name + std::string(target.ending))) << text->text;
                 entry["languages"].push_back(target.name);
