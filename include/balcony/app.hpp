@@ -23,7 +23,6 @@
 #include "balcony/denoise.hpp"
 #include "balcony/finish.hpp"
 #include "balcony/lang.hpp"
-#include "balcony/probe.hpp"
 #include "balcony/render.hpp"
 #include "balcony/request.hpp"
 
@@ -58,12 +57,6 @@ struct SampleRange {
     double mean = 0.0;
 };
 
-/// A layer whose rays meet nothing.
-struct LayerMiss {
-    std::size_t layer = 0;  ///< Index into render::Summary::layers.
-    std::optional<render::Miss> miss{};
-};
-
 /// The facts of a picture, or of a shard of it.
 struct Report {
     /// Warnings, and the errors that ended the render.
@@ -79,7 +72,6 @@ struct Report {
     std::size_t width = 0;   ///< Of what is rendered, in pixels.
     std::size_t height = 0;
     render::Summary summary{};
-    std::vector<LayerMiss> misses{};
     std::optional<SampleRange> samples{};
     bool has_samples = true;          ///< Otherwise there was nothing to save.
     double exposure = 0.0;            ///< In stops.

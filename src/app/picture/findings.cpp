@@ -127,9 +127,7 @@ void describe_miss(Report& report, const Loaded& loaded, const camera::ShownCame
         std::erase_if(miss->attempts,
                       [&](const auto& attempt) { return attempt.share < many * share; });
     }
-    if (layer.hits == 0) {
-        report.misses.push_back({index, miss.value});
-    } else if (!miss || (miss->attempts.empty() && !starts_outside(*miss))) {
+    if (layer.hits > 0 && (!miss || (miss->attempts.empty() && !starts_outside(*miss)))) {
         return;
     }
     const MissText text = miss ? miss_text(*miss, shown.camera) : MissText{};
