@@ -18,9 +18,11 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-class Opaque final : public embree::OpacitySource {
+class Opaque final : public embree::TransmittanceSource {
 public:
-    [[nodiscard]] float opacity(const embree::Hit&) const override { return 1.0F; }
+    [[nodiscard]] Color3f transmittance(const embree::Hit&, const embree::Ray&) const override {
+        return Color3f(0.0F);
+    }
 };
 
 V3f along_x(float value) { return {value, 0.0F, 0.0F}; }
@@ -46,13 +48,14 @@ TEST(Range, RaysBeyondItHitNothing) {
         packet.set(i, rays[i]);
     }
     accelerator->intersect(std::span(&packet, 1));
-    std::vector<float> transmittances(rays.size());
+    std::vector<Color3f> transmittances(rays.size());
     accelerator->transmittance(rays, Opaque(), transmittances);
     for (std::size_t i = 0; i < rays.size(); ++i) {
         EXPECT_EQ(packet.hit(i).any(), i == 0) << i;
         EXPECT_EQ(accelerator->intersect(rays[i]).any(), i == 0) << i;
-        EXPECT_EQ(accelerator->transmittance(rays[i], Opaque()), i == 0 ? 0.0F : 1.0F) << i;
-        EXPECT_EQ(transmittances[i], i == 0 ? 0.0F : 1.0F) << i;
+        const Color3f passed(i == 0 ? 0.0F : 1.0F);
+        EXPECT_EQ(accelerator->transmittance(rays[i], Opaque()), passed) << i;
+        EXPECT_EQ(transmittances[i], passed) << i;
     }
     EXPECT_FALSE(
         accelerator->intersect({{0.0F, 0.0F, embree::max_coordinate}, along_x(1.0F)}).any());

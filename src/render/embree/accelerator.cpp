@@ -18,6 +18,7 @@
 #include "render/embree/instance_use.hpp"
 #include "render/embree/packet_setup.hpp"
 #include "shading/geometry/motion_steps.hpp"
+#include "shading/materials/material_set.hpp"
 
 namespace balcony::render::embree {
 
@@ -59,8 +60,9 @@ Hit to_hit(unsigned instance, unsigned geometry, unsigned triangle, float u, flo
 struct ShadowQuery {
     RTCIntersectContext
         context;  // The first member, so that a filter can access the others through it.
-    const OpacitySource* opacities;
-    std::span<float> transmittances;  // By the rays' ids.
+    const TransmittanceSource* surfaces;
+    std::span<const Ray> rays;                 // By their ids, in world coordinates.
+    std::span<Imath::Color3f> transmittances;  // The same.
 };
 
 // Lets a shadow ray pass a transparent surface, attenuated by its opacity.
@@ -75,9 +77,10 @@ void pass_transparent(const RTCFilterFunctionNArguments* arguments) {
             RTCHitN_instID(arguments->hit, count, i, 0), RTCHitN_geomID(arguments->hit, count, i),
             RTCHitN_primID(arguments->hit, count, i), RTCHitN_u(arguments->hit, count, i),
             RTCHitN_v(arguments->hit, count, i));
-        float& transmittance = query->transmittances[RTCRayN_id(arguments->ray, count, i)];
-        transmittance *= 1.0F - query->opacities->opacity(hit);
-        if (transmittance > 0.0F) {
+        const unsigned id = RTCRayN_id(arguments->ray, count, i);
+        Imath::Color3f& transmittance = query->transmittances[id];
+        transmittance *= query->surfaces->transmittance(hit, query->rays[id]);
+        if (!is_black(transmittance)) {
             arguments->valid[i] = 0;
         }
     }
@@ -119,7 +122,8 @@ Geometry make_triangles(RTCDevice device, const scene::Scene& scene, const Motio
         return {};
     }
     std::copy(mesh.triangles.begin(), mesh.triangles.end(), triangles);
-    if (scene.materials[mesh.material.value()].alpha_mode != scene::AlphaMode::opaque) {
+    const scene::Material& material = scene.materials[mesh.material.value()];
+    if (material.alpha_mode != scene::AlphaMode::opaque || may_be_pane(material)) {
         rtcSetGeometryOccludedFilterFunction(geometry.get(), pass_transparent);
     }
     rtcCommitGeometry(geometry.get());
@@ -354,35 +358,36 @@ void Accelerator::intersect(std::span<Packet> packets) const {
     }
 }
 
-float Accelerator::transmittance(const Ray& ray, const OpacitySource& opacities) const {
+Imath::Color3f Accelerator::transmittance(const Ray& ray,
+                                          const TransmittanceSource& surfaces) const {
+    Imath::Color3f transmittance(1.0F);
     if (!state_->traceable(ray)) {
-        return 1.0F;
+        return transmittance;
     }
-    float transmittance = 1.0F;
-    ShadowQuery query{{}, &opacities, std::span(&transmittance, 1)};
+    ShadowQuery query{{}, &surfaces, std::span(&ray, 1), std::span(&transmittance, 1)};
     rtcInitIntersectContext(&query.context);
     RTCRay shadow = to_ray_hit(ray).ray;
     rtcOccluded1(state_->world.get(), &query.context, &shadow);
-    return shadow.tfar < 0.0F ? 0.0F : transmittance;
+    return shadow.tfar < 0.0F ? Imath::Color3f(0.0F) : transmittance;
 }
 
-void Accelerator::transmittance(std::span<const Ray> rays, const OpacitySource& opacities,
-                                std::span<float> results) const {
+void Accelerator::transmittance(std::span<const Ray> rays, const TransmittanceSource& surfaces,
+                                std::span<Imath::Color3f> results) const {
     Packet packet;
     for (std::size_t lane = 0; lane < rays.size(); ++lane) {
         packet.set(lane, rays[lane]);
         packet.id[lane] = static_cast<std::uint32_t>(lane);
-        results[lane] = 1.0F;
+        results[lane] = Imath::Color3f(1.0F);
     }
     prepare(std::span(&packet, 1), state_->reach);
     const Packet::Floats lengths = packet.farthest;
-    ShadowQuery query{{}, &opacities, results};
+    ShadowQuery query{{}, &surfaces, rays, results};
     rtcInitIntersectContext(&query.context);
     rtcOccluded16(packet.valid.data(), state_->world.get(), &query.context,
                   reinterpret_cast<RTCRay16*>(&packet));
     for (std::size_t lane = 0; lane < rays.size(); ++lane) {
         if (lengths[lane] >= 0.0F && packet.farthest[lane] < 0.0F) {
-            results[lane] = 0.0F;
+            results[lane] = Imath::Color3f(0.0F);
         }
     }
 }

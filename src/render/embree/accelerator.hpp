@@ -53,14 +53,15 @@ public:
     /// than their rounding error, and rays that cannot be traced become others that hit nothing.
     void intersect(std::span<Packet> packets) const;
 
-    /// The transmittance between a ray's origin and its end; looks up the opacity of surfaces whose
-    /// material is not opaque.
-    [[nodiscard]] float transmittance(const Ray& ray, const OpacitySource& opacities) const;
+    /// The transmittance between a ray's origin and its end; asks for that of surfaces whose
+    /// material lets light pass straight on.
+    [[nodiscard]] Imath::Color3f transmittance(const Ray& ray,
+                                               const TransmittanceSource& surfaces) const;
 
     /// The same for at most Packet::size rays together: faster if their directions are similar.
     /// Where a ray touches an edge, the others may decide whether it hits.
-    void transmittance(std::span<const Ray> rays, const OpacitySource& opacities,
-                       std::span<float> results) const;
+    void transmittance(std::span<const Ray> rays, const TransmittanceSource& surfaces,
+                       std::span<Imath::Color3f> results) const;
 
 private:
     struct State;

@@ -59,6 +59,7 @@ private:
     // What becomes of a path where its ray ends.
     enum class Encounter : std::uint8_t { ends, passes, scatters };
     [[nodiscard]] Encounter meet(std::size_t lane);
+    [[nodiscard]] static bool pass_last_pane(Path& path, const Interaction& at);
     void add_distant_light(const Path& path);
     void add_emission(const Path& path, const Interaction& at);
 
@@ -130,7 +131,10 @@ PathTracer::Encounter PathTracer::meet(std::size_t lane) {
     }
     absorb(path, at.surface.position);
     add_emission(path, at);
-    if (path.is_last || appearance.unlit) {
+    if (path.is_last) {
+        return pass_last_pane(path, at) ? Encounter::passes : Encounter::ends;
+    }
+    if (appearance.unlit) {
         return Encounter::ends;
     }
     const V3f to_viewer = -path.ray.direction;
@@ -142,6 +146,18 @@ PathTracer::Encounter PathTracer::meet(std::size_t lane) {
                           block_.bsdfs().lit_side(lane), path.ray.time};
     light_.begin_tail(block_, lane);
     return Encounter::scatters;
+}
+
+// A ray that collects light alone goes on behind panes, like the shadow rays that share this light
+// with it.
+bool PathTracer::pass_last_pane(Path& path, const Interaction& at) {
+    const Color3f straight = at.straight(path.ray.direction);
+    if (is_black(straight) || path.crossings >= max_crossings) {
+        return false;
+    }
+    path.throughput *= straight;
+    pass_pane(path, at);
+    return true;
 }
 
 void PathTracer::add_distant_light(const Path& path) {
@@ -250,16 +266,24 @@ bool PathTracer::scatter(std::size_t lane) {
         return false;
     }
     light_.scatter(path, *sample);
-    count_bounce(path, sample->lobe, settings_->bounces);
+    const Interaction& at = block_.at(lane);
+    const bool passes_pane = sample->delta && sample->transmitted && at.appearance().thin_walled;
+    if (!passes_pane || path.bounces.all == 0 || path.crossings >= max_crossings) {
+        count_bounce(path, sample->lobe, settings_->bounces);
+    }
     if (!survives(path, block_.numbers(lane))) {
         return false;
     }
-    const Interaction& at = block_.at(lane);
+    if (passes_pane) {
+        pass_pane(path, at);
+        return true;
+    }
     if (textured_) {
         path.ray.differentials = after_sample(path.ray, at.moved, *sample, footprint_scale_);
     }
     path.from = block_.point(lane);
     path.transmittance = 1.0F;
+    path.absorbed = 0.0F;
     path.pdf = sample->delta ? 0.0F : sample->pdf;
     path.ray.origin =
         sample->transmitted ? at.surface.start(sample->to_light) : at.surface.start_to_light();

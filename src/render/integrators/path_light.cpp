@@ -43,7 +43,7 @@ Color3f PathLight::received(const Path& path, const ArrivingLight& lamp) {
 }
 
 void PathLight::trace_shadow_rays(const SceneTracer& tracer) {
-    shadow_rays_.trace(tracer, [&](const ShadowedLight& one, float transmittance) {
+    shadow_rays_.trace(tracer, [&](const ShadowedLight& one, const Color3f& transmittance) {
         const Color3f light = transmittance * one.light;
         switch (one.part) {
             case Part::tail: tails_.tail(one.index).lamp.radiance += light; break;

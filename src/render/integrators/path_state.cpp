@@ -5,20 +5,26 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace balcony::render {
 
-void pass_through(Path& path, const Interaction& at) {
+void pass_pane(Path& path, const Interaction& at) {
     path.ray.origin = at.surface.start(path.ray.direction);
     path.ray.differentials.origin_x = at.moved.along_x;
     path.ray.differentials.origin_y = at.moved.along_y;
     ++path.crossings;
+}
+
+void pass_through(Path& path, const Interaction& at) {
+    pass_pane(path, at);
     path.transmittance *= 1.0F - at.appearance().opacity;
 }
 
 void absorb(Path& path, const V3f& position) {
     if (!is_black(path.absorption)) {
-        const float length = (position - path.from.position).length();
+        const float all = (position - path.from.position).length();
+        const float length = all - std::exchange(path.absorbed, all);
         path.throughput *=
             Color3f(std::exp(-path.absorption.x * length), std::exp(-path.absorption.y * length),
                     std::exp(-path.absorption.z * length));

@@ -41,10 +41,12 @@ struct Path {
     Color3f throughput{1.0F};
     V3f eye;                              ///< The origin of the camera ray.
     LitPoint from{V3f(0.0F), V3f(0.0F)};  ///< Where the light was scattered last.
-    /// The density with which the ray's direction was chosen there. 0 if no other method of
+    /// The density with which the ray's direction was chosen there. Panes that the ray has passed
+    /// straight on do not change it, as shadow rays pass them, too. 0 if no other method of
     /// sampling finds it: the camera ray, or a mirror reflection.
     float pdf = 0.0F;
     Color3f absorption{0.0F};  ///< Of what the ray passes, per scene unit.
+    float absorbed = 0.0F;     ///< The length from there up to which light has been absorbed.
     Sampler sampler;
     std::uint32_t index = 0;   ///< Of its result.
     std::uint32_t packet = 0;  ///< Of its camera ray.
@@ -59,6 +61,9 @@ struct Path {
 
 /// Moves the ray of a path behind a surface that it passes by chance, because of its opacity.
 void pass_through(Path& path, const Interaction& at);
+
+/// Moves the ray of a path straight on behind a pane.
+void pass_pane(Path& path, const Interaction& at);
 
 /// Absorbs light between the place where it was scattered last and this one. The length is that
 /// between the places, not from the ray's origin, which is next to the surface.

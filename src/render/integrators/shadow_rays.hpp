@@ -43,7 +43,7 @@ public:
                 continue;
             }
             std::array<embree::Ray, packet_size> rays;
-            std::array<float, packet_size> transmittances{};
+            std::array<Color3f, packet_size> transmittances;
             for (std::size_t lane = 0; lane < count; ++lane) {
                 rays[lane] = all_[begin + lane].ray;
             }
@@ -58,8 +58,9 @@ private:
     static constexpr std::size_t packet_size = embree::Packet::size;
 
     template <class Receive>
-    static void visit(const ShadowedLight& one, float transmittance, const Receive& receive) {
-        if (transmittance > 0.0F) {
+    static void visit(const ShadowedLight& one, const Color3f& transmittance,
+                      const Receive& receive) {
+        if (!is_black(transmittance)) {
             receive(one, transmittance);
         }
     }

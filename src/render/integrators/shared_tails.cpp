@@ -220,20 +220,20 @@ LaneBits SharedTails::facing(LaneBits heads) {
 // have arrived.
 void SharedTails::trace(Indices group, LaneBits lanes, LaneBits owners, const SceneTracer& tracer) {
     std::array<embree::Ray, plain_lanes::size> rays;
-    std::array<float, plain_lanes::size> passed{};
+    std::array<Color3f, plain_lanes::size> passed;
     std::size_t count = 0;
     for_each_lane(lanes & ~owners, [&](std::size_t lane) {
         rays[count++] = {lanes_.start.of(lane), at_.to_tail.of(lane),
                          before_tail * at_.length[lane], head_of(group[lane % group_size]).time};
     });
     if (count > 0) {
-        tracer.transmittance(std::span(rays).first(count), passed);
+        tracer.openness(std::span(rays).first(count), passed);
     }
     count = 0;
     for_each_lane(lanes, [&](std::size_t lane) {
         const bool own = (owners & lane_bit(lane)) != 0;
         const float transmittance =
-            own ? at_.tails[lane / group_size]->transmittance : passed[count++];
+            own ? at_.tails[lane / group_size]->transmittance : passed[count++].x;
         at_.per_area[lane] =
             transmittance * at_.cosine[lane] / (at_.length[lane] * at_.length[lane]);
     });

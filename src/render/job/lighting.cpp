@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -45,7 +46,10 @@ bool sees_sky(const TracedScene& traced, PictureRays& all, const Film& film, dou
             Frame(surface.geometric_normal)
                 .to_world(sample_cosine(number(0.7548776662466927), number(0.5698402909980532)));
         escaped +=
-            tracer.nearest({surface.start(direction), direction, {}, ray.time}).any() ? 0 : 1;
+            is_black(tracer.transmittance({surface.start(direction), direction,
+                                           std::numeric_limits<float>::infinity(), ray.time}))
+                ? 0
+                : 1;
     });
     return static_cast<double>(escaped) >= least * static_cast<double>(rays);
 }

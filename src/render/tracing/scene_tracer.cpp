@@ -45,6 +45,13 @@ Bsdf Interaction::bsdf() const {
     return made;
 }
 
+Color3f Interaction::straight(const V3f& direction) const {
+    const auto passed = appearance().unlit || !appearance().thin_walled
+                            ? std::nullopt
+                            : bsdf().sample_passage(-direction);
+    return passed ? passed->weight : Color3f(0.0F);
+}
+
 Color3f SceneTracer::emission(const embree::Hit& hit, const V3f& direction, float time) const {
     const MeshPoint point = traced_->surfaces.mesh_point(hit);
     if (traced_->scene->materials[point.mesh->material.value()].clearcoat > 0.0F) {
@@ -68,13 +75,24 @@ embree::Ray SceneTracer::shadow_ray(const Surface& surface, const V3f& to_light,
     return {start, way.normalized(), nearly_all * way.length(), time};
 }
 
-float SceneTracer::transmittance(const Surface& surface, const V3f& to_light, float distance,
-                                 float time) const {
-    return distance > 0.0F ? transmittance(shadow_ray(surface, to_light, distance, time)) : 1.0F;
+Color3f SceneTracer::transmittance(const Surface& surface, const V3f& to_light, float distance,
+                                   float time) const {
+    return distance > 0.0F ? transmittance(shadow_ray(surface, to_light, distance, time))
+                           : Color3f(1.0F);
 }
 
-float SceneTracer::opacity(const embree::Hit& hit) const {
-    return traced_->materials.opacity(traced_->surfaces.mesh_point(hit));
+Color3f SceneTracer::Openings::transmittance(const embree::Hit& hit, const embree::Ray&) const {
+    return Color3f(1.0F - traced->materials.opacity(traced->surfaces.mesh_point(hit)));
+}
+
+Color3f SceneTracer::Panes::transmittance(const embree::Hit& hit, const embree::Ray& ray) const {
+    const MeshPoint point = traced->surfaces.mesh_point(hit);
+    if (!may_be_pane(traced->scene->materials[point.mesh->material.value()])) {
+        return Openings::transmittance(hit, ray);
+    }
+    const Interaction at(*traced, DifferentialRay{ray.origin, ray.direction, {}, ray.time}, hit);
+    const float opacity = at.appearance().opacity;
+    return Color3f(1.0F - opacity) + opacity * at.straight(ray.direction);
 }
 
 }  // namespace balcony::render

@@ -46,6 +46,8 @@ struct Interaction {
         return constant != nullptr ? *constant : *varying;
     }
     [[nodiscard]] Bsdf bsdf() const;
+    /// What passes against a ray of this direction straight on, as through a pane.
+    [[nodiscard]] Color3f straight(const V3f& direction) const;
     /// The radiance that the surface emits against a ray of this direction.
     [[nodiscard]] Color3f emission(const V3f& direction) const {
         return appearance().emission_through_coat(-surface.coat_normal.dot(direction));
@@ -53,7 +55,7 @@ struct Interaction {
 };
 
 /// Queries a scene; belongs to one thread.
-class SceneTracer final : private embree::OpacitySource {
+class SceneTracer {
 public:
     explicit SceneTracer(const TracedScene& traced) : traced_(&traced) {}
 
@@ -90,24 +92,42 @@ public:
     /// unfiltered, by its opacity.
     [[nodiscard]] Color3f emission(const embree::Hit& hit, const V3f& direction, float time) const;
 
-    /// The fraction of the light that reaches a surface from a direction and a distance.
-    [[nodiscard]] float transmittance(const Surface& surface, const V3f& to_light, float distance,
-                                      float time) const;
+    /// The fraction of the light that reaches a surface from a direction and a distance, through
+    /// panes, too.
+    [[nodiscard]] Color3f transmittance(const Surface& surface, const V3f& to_light, float distance,
+                                        float time) const;
 
     /// The ray from a surface to a light, in front of it if the direction is above the smooth
     /// surface, and behind otherwise.
     [[nodiscard]] static embree::Ray shadow_ray(const Surface& surface, const V3f& to_light,
                                                 float distance, float time);
-    /// The fraction of the light that passes along shadow rays: one, or a packet.
-    [[nodiscard]] float transmittance(const embree::Ray& ray) const {
-        return traced_->accelerator.transmittance(ray, *this);
+    /// The fraction of the light that passes along shadow rays, through panes, too: one, or a
+    /// packet.
+    [[nodiscard]] Color3f transmittance(const embree::Ray& ray) const {
+        return traced_->accelerator.transmittance(ray, Panes(*traced_));
     }
-    void transmittance(std::span<const embree::Ray> packet, std::span<float> results) const {
-        traced_->accelerator.transmittance(packet, *this, results);
+    void transmittance(std::span<const embree::Ray> packet, std::span<Color3f> results) const {
+        traced_->accelerator.transmittance(packet, Panes(*traced_), results);
+    }
+    /// The same without panes, which block the light. It has no colour.
+    void openness(std::span<const embree::Ray> packet, std::span<Color3f> results) const {
+        traced_->accelerator.transmittance(packet, Openings(*traced_), results);
     }
 
 private:
-    [[nodiscard]] float opacity(const embree::Hit& hit) const override;
+    // What passes a surface because of its opacity,
+    struct Openings : embree::TransmittanceSource {
+        explicit Openings(const TracedScene& of) : traced(&of) {}
+        [[nodiscard]] Color3f transmittance(const embree::Hit& hit,
+                                            const embree::Ray& ray) const override;
+        const TracedScene* traced;
+    };
+    // and also as through a pane.
+    struct Panes final : Openings {
+        using Openings::Openings;
+        [[nodiscard]] Color3f transmittance(const embree::Hit& hit,
+                                            const embree::Ray& ray) const override;
+    };
 
     const TracedScene* traced_;
 };

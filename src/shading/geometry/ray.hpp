@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <limits>
 
+#include <Imath/ImathColor.h>
 #include <Imath/ImathVec.h>
 
 #include "shading/lanes/lane_arrays.hpp"
@@ -117,11 +118,11 @@ struct alignas(64) Packet {
     }
 };
 
-/// The fraction of the light that a transparent surface blocks.
-class OpacitySource {
+/// The fraction of the light that passes a surface in the direction of a ray, which it keeps.
+class TransmittanceSource {
 public:
-    virtual ~OpacitySource() = default;
-    [[nodiscard]] virtual float opacity(const Hit& hit) const = 0;
+    virtual ~TransmittanceSource() = default;
+    [[nodiscard]] virtual Imath::Color3f transmittance(const Hit& hit, const Ray& ray) const = 0;
 };
 
 }  // namespace balcony::render::embree

@@ -102,9 +102,11 @@ std::optional<BsdfSample> Bsdf::sample_mirror(const V3f& to_viewer) const {
 }
 
 std::optional<BsdfSample> Bsdf::sample_passage(const V3f& to_viewer) const {
-    return material().is_mirror() && material().transmits()
-               ? sample_straight(layers_view_from(to_viewer))
-               : std::nullopt;
+    if (!material().is_mirror() || !material().transmits()) {
+        return std::nullopt;
+    }
+    const LayersView view = layers_view_from(to_viewer);
+    return view.cosine < min_cosine ? std::nullopt : sample_straight(view);
 }
 
 BsdfSample Bsdf::mirror_sample(const V3f& to_viewer, const Color3f& weight) const {

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 
+#include "shading/materials/transport.hpp"
+
 namespace balcony::render {
 
 namespace {
@@ -131,6 +133,12 @@ bool uses_textures(const Material& material) {
 }
 
 }  // namespace
+
+bool may_be_pane(const Material& material) {
+    return material.transmission > 0.0F && material.thin_walled && !material.unlit &&
+           (material.roughness_texture.valid() ||
+            material.roughness * material.roughness < min_alpha);
+}
 
 MaterialSet::MaterialSet(const scene::Scene& scene, const TextureLibrary& textures)
     : scene_(&scene), textures_(&textures) {

@@ -19,6 +19,10 @@
 
 namespace balcony::render {
 
+/// Whether light goes straight on through some point of a surface of this material as through a
+/// pane: a thin wall that is as smooth as a mirror there.
+[[nodiscard]] bool may_be_pane(const scene::Material& material);
+
 /// The materials of a scene, prepared for look-ups.
 class MaterialSet {
 public:
