@@ -145,7 +145,7 @@ class LittleMemory(support.CommandTest):
             with self.subTest(words=words):
                 _, err = self.run_command("render", "scene.obj", "-s", "1", "-q", *words, code=3,
                                           preexec_fn=little_memory)
-                self.assertRegex(err, "^error: .*(out of|not enough) memory.*\n  help: ")
+                self.assertRegex(err, "(?m)^error: .*(out of|not enough) memory.*\n  help: ")
                 self.assertNotIn("std::", err)
                 self.assertEqual(self.files(), before)
 
