@@ -49,10 +49,10 @@ struct Sighting {
 /// into patches, small enough for Newton's iteration to find its way in each, and a tree over their
 /// rays says which of them can see a point. The division starts from cells of 1/96 of the longer
 /// side of the part that has rays, each looked at in 9 places, and goes down to 1/16 pixel at
-/// seams, folds and borders, of long borders to a pixel; a detail that falls between those places
-/// can be overlooked. The work is bounded: a camera whose rays change all over so often that some
-/// hundred thousand patches are not enough is searched less closely, with a warning, and of the
-/// patches that may see a point some thousand are searched.
+/// seams, folds and borders, and to two pixels at long borders; a detail that falls between those
+/// places can be overlooked. The work is bounded: a camera whose rays change all over so often that
+/// some hundred thousand patches are not enough is searched less closely, with a warning, and of
+/// the patches that may see a point some thousand are searched.
 ///
 /// If a whole line of the picture sees a point (a pole of a panorama), some positions on it are
 /// found. A point at which all rays of a region start is not found by them, and a point that is not
