@@ -72,14 +72,9 @@ Miss::Attempt attempt_of(RayChange change, double factor, const std::vector<Line
 
 Result<Miss> explain_miss(const Renderer& renderer, const camera::Camera& camera,
                           const ProbeSettings& settings, const std::stop_token& stop) {
-    if (Diagnostics found = check(settings); !found.empty()) {
-        return found;
-    }
     const ProbedScene probed(renderer);
     const scene::Scene& scene = probed.scene();
-    const Result<rays::RayProgram> program =
-        rays::compile(camera, static_cast<double>(settings.width),
-                      static_cast<double>(settings.height), {.axes = scene.axes}, stop);
+    const Result<rays::RayProgram> program = compile(camera, settings, scene.axes, stop);
     if (!program) {
         return program.diagnostics;
     }

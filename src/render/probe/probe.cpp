@@ -224,27 +224,24 @@ private:
 
 }  // namespace
 
-Diagnostics check(const ProbeSettings& settings) {
-    if (is_part({0, 0, settings.width, settings.height}, max_film_side, max_film_side) &&
-        settings.step > 0 && std::isfinite(settings.time)) {
-        return {};
+Result<rays::RayProgram> compile(const camera::Camera& camera, const ProbeSettings& settings,
+                                 Axes axes, const std::stop_token& stop) {
+    if (!is_part({0, 0, settings.width, settings.height}, max_film_side, max_film_side) ||
+        settings.step == 0 || !std::isfinite(settings.time)) {
+        return error(Kind::usage, "a probe's size, step or time is out of range",
+                     fmt::format("give a width and a height from 1 to {}, a step of at least 1, "
+                                 "and a finite time",
+                                 max_film_side));
     }
-    return {error(Kind::usage, "a probe's size, step or time is out of range",
-                  fmt::format("give a width and a height from 1 to {}, a step of at least 1, and a "
-                              "finite time",
-                              max_film_side))};
+    return rays::compile(camera, static_cast<double>(settings.width),
+                         static_cast<double>(settings.height), {.axes = axes}, stop);
 }
 
 Result<Probe> probe(const Renderer& renderer, const camera::Camera& camera,
                     const ProbeSettings& settings, const PartDone& progress,
                     const std::stop_token& stop) {
-    if (Diagnostics found = check(settings); !found.empty()) {
-        return found;
-    }
     const ProbedScene scene(renderer);
-    const Result<rays::RayProgram> program =
-        rays::compile(camera, static_cast<double>(settings.width),
-                      static_cast<double>(settings.height), {.axes = scene.scene().axes}, stop);
+    const Result<rays::RayProgram> program = compile(camera, settings, scene.scene().axes, stop);
     if (!program) {
         return program.diagnostics;
     }

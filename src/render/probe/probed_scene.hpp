@@ -5,14 +5,19 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <stop_token>
 
 #include "balcony/probe.hpp"
+#include "balcony/rays.hpp"
 #include "render/job/renderer_state.hpp"
 
 namespace balcony::render {
 
-/// What is out of range.
-[[nodiscard]] Diagnostics check(const ProbeSettings& settings);
+/// The rays of a camera in the picture of a probe, in the axes of its scene. It is an error if the
+/// settings are out of range.
+[[nodiscard]] Result<rays::RayProgram> compile(const camera::Camera& camera,
+                                               const ProbeSettings& settings, Axes axes,
+                                               const std::stop_token& stop);
 
 /// The scene of a renderer as it stands at its own time, whatever the interval of the renderer: its
 /// hits, and what they tell about its geometry. The renderer must outlive it.

@@ -22,8 +22,8 @@ using Imath::V2d;
 using Imath::V3d;
 
 constexpr std::size_t heights = 24;
-constexpr std::size_t unknowns = 4;
-using Unknowns = std::array<double, unknowns>;
+constexpr int unknowns = 4;
+using Unknowns = Imath::V4d;
 
 struct AxisGuess {
     V3d direction{0.0, 0.0, 1.0};
@@ -35,26 +35,6 @@ std::pair<V3d, V3d> sides_of_axis(const V3d& axis) {
     const V3d other = std::abs(axis.x) < 0.6 ? V3d(1.0, 0.0, 0.0) : V3d(0.0, 1.0, 0.0);
     const V3d first = axis.cross(other).normalized();
     return {first, axis.cross(first)};
-}
-
-/// Solves a symmetric positive definite system by elimination.
-Unknowns solved(std::array<Unknowns, unknowns> matrix, Unknowns right) {
-    for (std::size_t i = 0; i < unknowns; ++i) {
-        for (std::size_t j = i + 1; j < unknowns; ++j) {
-            const double factor = matrix[j][i] / matrix[i][i];
-            for (std::size_t k = i; k < unknowns; ++k) {
-                matrix[j][k] -= factor * matrix[i][k];
-            }
-            right[j] -= factor * right[i];
-        }
-    }
-    for (std::size_t i = unknowns; i-- > 0;) {
-        for (std::size_t k = i + 1; k < unknowns; ++k) {
-            right[i] -= matrix[i][k] * right[k];
-        }
-        right[i] /= matrix[i][i];
-    }
-    return right;
 }
 
 /// A sample relative to an axis.
@@ -263,30 +243,30 @@ private:
         const std::vector<SeenFromAxis> all = places(axis, scale);
         const auto profile = profile_lines(all, [](const SeenFromAxis& p) { return p.distance; });
         std::array<std::array<ProfileLine, 2 * heights>, unknowns> parts;
-        for (std::size_t k = 0; k < unknowns; ++k) {
-            parts[k] = profile_lines(all, [&](const SeenFromAxis& p) {
+        for (int k = 0; k < unknowns; ++k) {
+            parts[static_cast<std::size_t>(k)] = profile_lines(all, [&](const SeenFromAxis& p) {
                 return derivative(p, profile[p.group].slope)[k];
             });
         }
-        std::array<Unknowns, unknowns> matrix{};
-        Unknowns right{};
+        Imath::M44d matrix(0.0);
+        Unknowns right(0.0);
         for (const SeenFromAxis& p : all) {
             Unknowns row = derivative(p, profile[p.group].slope);
-            for (std::size_t k = 0; k < unknowns; ++k) {
-                row[k] -= parts[k][p.group].at(p.height);
+            for (int k = 0; k < unknowns; ++k) {
+                row[k] -= parts[static_cast<std::size_t>(k)][p.group].at(p.height);
             }
-            for (std::size_t k = 0; k < unknowns; ++k) {
-                for (std::size_t m = 0; m < unknowns; ++m) {
+            for (int k = 0; k < unknowns; ++k) {
+                for (int m = 0; m < unknowns; ++m) {
                     matrix[k][m] += p.weight * row[k] * row[m];
                 }
                 right[k] -= p.weight * row[k] * p.residual;
             }
         }
         // A sphere has any axis.
-        for (std::size_t k = 0; k < unknowns; ++k) {
+        for (int k = 0; k < unknowns; ++k) {
             matrix[k][k] += 1e-9 * matrix[k][k] + 1e-12;
         }
-        return solved(matrix, right);
+        return right * matrix.inverse();
     }
 
     // The point stays beside the middle.

@@ -54,13 +54,8 @@ Result<std::optional<SurfaceScale>> measure_scale(const Renderer& renderer,
                                                   const camera::Camera& camera,
                                                   const ProbeSettings& settings,
                                                   const std::stop_token& stop) {
-    if (Diagnostics found = check(settings); !found.empty()) {
-        return found;
-    }
     const ProbedScene scene(renderer);
-    const Result<rays::RayProgram> program =
-        rays::compile(camera, static_cast<double>(settings.width),
-                      static_cast<double>(settings.height), {.axes = scene.scene().axes}, stop);
+    const Result<rays::RayProgram> program = compile(camera, settings, scene.scene().axes, stop);
     if (!program) {
         return program.diagnostics;
     }
