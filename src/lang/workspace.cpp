@@ -9,6 +9,7 @@
 #include "balcony/lang.hpp"
 #include "balcony/progress.hpp"
 #include "lang/build/build_camera.hpp"
+#include "lang/build/resolved_layer.hpp"
 #include "lang/built_in_cameras.hpp"
 #include "lang/names/session.hpp"
 #include "lang/names/unused_names.hpp"
@@ -75,10 +76,10 @@ void warn_of_unused_lets(const Module& module, Reporter& reporter) {
     }
 }
 
-// The selected camera or picture. An empty name selects the last one of the file, or the last
-// camera if a camera is needed. Nothing after an error, which is reported.
-std::optional<LocatedDefinition> find(const Module* module, std::string_view name,
-                                      bool camera_wanted, Reporter& reporter) {
+// The selected camera or picture as it is written. An empty name selects the last one of the file,
+// or the last camera if a camera is needed. Nothing after an error, which is reported.
+std::optional<LocatedDefinition> selected(const Module* module, std::string_view name,
+                                          bool camera_wanted, Reporter& reporter) {
     if (module == nullptr || (name.empty() && !require_cameras(*module, reporter))) {
         return std::nullopt;
     }
@@ -95,22 +96,30 @@ std::optional<LocatedDefinition> find(const Module* module, std::string_view nam
     return place != nullptr ? std::optional(*place) : std::nullopt;
 }
 
-std::optional<LocatedDefinition> find_camera(const Module* module, std::string_view name,
-                                             Reporter& reporter) {
-    const std::optional<LocatedDefinition> place = find(module, name, true, reporter);
-    if (place && place->camera->is_picture) {
-        const Identifier& found = place->camera->name;
-        reporter.error(place->module->tree.at(found.span),
-                       fmt::format("'{}' is a picture, but a camera is needed", found.text),
-                       "name a camera, for example one of its layers");
-        return std::nullopt;
-    }
-    return place;
+// The same with its base.
+std::optional<ResolvedLayer> find(const Module* module, std::string_view name, bool camera_wanted,
+                                  Session& session) {
+    const auto place = selected(module, name, camera_wanted, session.reporter());
+    return place ? resolve_base({*place, {}}, session) : std::nullopt;
 }
 
-std::optional<LocatedDefinition> find_shown(const Module* module, std::string_view name,
-                                            Reporter& reporter) {
-    return find(module, name, false, reporter);
+std::optional<ResolvedLayer> find_camera(const Module* module, std::string_view name,
+                                         Session& session) {
+    auto found = find(module, name, true, session);
+    if (found && found->place.camera->is_picture) {
+        const Identifier& named = found->place.camera->name;
+        session.reporter().error(
+            found->place.module->tree.at(named.span),
+            fmt::format("'{}' is a picture, but a camera is needed", named.text),
+            "name a camera, for example one of its layers");
+        return std::nullopt;
+    }
+    return found;
+}
+
+std::optional<ResolvedLayer> find_shown(const Module* module, std::string_view name,
+                                        Session& session) {
+    return find(module, name, false, session);
 }
 
 // Reports names that are no parameters of a camera.
@@ -119,7 +128,7 @@ void check_parameters(const LocatedDefinition& place, const std::vector<std::str
     const std::set<std::string_view> known = parameter_names(*place.camera);
     for (const std::string& name : names) {
         if (!known.contains(name)) {
-            reporter.error({}, no_parameter(*place.camera, name),
+            reporter.error({}, no_parameter(place, name),
                            instead_of_parameter(*place.camera, name));
         }
     }
@@ -132,22 +141,21 @@ auto within_graph(const LocatedDefinition& place, Session& session, Build build)
     try {
         return build();
     } catch (const expr::GraphTooLarge&) {
-        const Identifier& name = place.camera->name;
         session.reporter().error(
-            place.module->tree.at(name.span),
+            place.module->tree.at(place.camera->name.span),
             fmt::format("the {} '{}' is too large: its formulas have more than {} operations",
-                        word_for(*place.camera), name.text, expr::max_nodes),
+                        word_for(*place.camera), place.name(), expr::max_nodes),
             "leave out some of its stages");
         return std::nullopt;
     }
 }
 
-std::optional<camera::Picture> build_whole(const LocatedDefinition& place,
+std::optional<camera::Picture> build_whole(ResolvedLayer& found,
                                            const std::vector<Override>& overrides,
                                            Session& session) {
-    return within_graph(place, session, [&] {
-        return build_picture(place, {overrides, {}}, session);
-    });
+    found.given.overrides = overrides;
+    return within_graph(found.place, session,
+                        [&] { return build_picture(found.place, found.given, session); });
 }
 
 // The result for a place, with its diagnostics.
@@ -217,7 +225,9 @@ void add_layers(const SyntaxTree& tree, const std::vector<Statement>& statements
     }
 }
 
-Description description_of(const SyntaxTree& tree, const DefinitionSyntax& camera) {
+Description description_of(const LocatedDefinition& written, const ResolvedLayer& found) {
+    const SyntaxTree& tree = written.module->tree;
+    const DefinitionSyntax& camera = *written.camera;
     Description made;
     made.name = std::string(camera.name.text);
     made.comment = comment_above(tree, camera.span.begin);
@@ -227,10 +237,10 @@ Description description_of(const SyntaxTree& tree, const DefinitionSyntax& camer
         made.comment.erase(keywords);
     }
     made.is_picture = camera.is_picture;
-    add_layers(tree, camera.statements, made.layers);
-    for (const DefinitionParameter& parameter : camera.parameters) {
-        made.parameters.push_back({std::string(parameter.name.text),
-                                   std::string(tree.text(tree[parameter.default_value].span))});
+    add_layers(found.place.module->tree, found.place.camera->statements, made.layers);
+    for (const DefinitionParameter& parameter : found.place.camera->parameters) {
+        made.parameters.push_back(
+            {std::string(parameter.name.text), default_text(found, parameter)});
     }
     return made;
 }
@@ -255,19 +265,22 @@ public:
         const auto make = [&](const std::vector<std::string>& names) -> Result<OpenAttempt> {
             Session session = begin();
             const Module* module = read(session, source);
-            const auto place = find(module, name, session.reporter());
+            auto found = find(module, name, session);
             std::vector<Value> values;
-            const auto build = [&] {
-                return build_picture(*place, {overrides, {}, names}, session, &values);
-            };
-            if (place && names.empty() && open) {
-                check_parameters(*place, *open, session.reporter());
+            if (found && names.empty() && open) {
+                check_parameters(found->place, *open, session.reporter());
             }
-            std::optional<camera::Picture> picture =
-                place ? within_graph(*place, session, build) : std::nullopt;
+            std::optional<camera::Picture> picture;
+            if (found) {
+                found->given.overrides = overrides;
+                found->given.open = names;
+                picture = within_graph(found->place, session, [&] {
+                    return build_picture(found->place, found->given, session, &values);
+                });
+            }
             std::optional<OpenAttempt> made;
             if (picture) {
-                made = open_attempt(std::move(*picture), *place, overrides, values);
+                made = open_attempt(std::move(*picture), *found, values);
             }
             return finish(std::move(made), module, session);
         };
@@ -308,9 +321,15 @@ Result<camera::Camera> Workspace::make_camera(const CameraSource& source, std::s
                                               const std::vector<Override>& overrides) {
     Session session = implementation_->begin();
     const Module* module = read(session, source);
-    const auto place = find_camera(module, name, session.reporter());
-    const auto build = [&] { return build_camera(*place, {overrides, {}}, session, true); };
-    return finish(place ? within_graph(*place, session, build) : std::nullopt, module, session);
+    auto found = find_camera(module, name, session);
+    std::optional<camera::Camera> made;
+    if (found) {
+        found->given.overrides = overrides;
+        made = within_graph(found->place, session, [&] {
+            return build_camera(found->place, found->given, session, true);
+        });
+    }
+    return finish(std::move(made), module, session);
 }
 
 Result<OpenCamera> Workspace::make_open_camera(
@@ -336,9 +355,9 @@ Result<camera::Picture> Workspace::make_picture(const CameraSource& source, std:
                                                 const std::vector<Override>& overrides) {
     Session session = implementation_->begin();
     const Module* module = read(session, source);
-    const auto place = find(module, name, false, session.reporter());
+    auto found = find_shown(module, name, session);
     std::optional<camera::Picture> made =
-        place ? build_whole(*place, overrides, session) : std::nullopt;
+        found ? build_whole(*found, overrides, session) : std::nullopt;
     implementation_->fitted = session.fitted();
     return finish(std::move(made), module, session);
 }
@@ -348,10 +367,12 @@ Result<std::vector<camera::Picture>> Workspace::make_all(const CameraSource& sou
                                                          std::string_view name) {
     Session session = implementation_->begin();
     const Module* module = read(session, source);
-    const auto named = name.empty() ? std::nullopt : find(module, name, false, session.reporter());
+    const auto named =
+        name.empty() ? std::nullopt : selected(module, name, false, session.reporter());
     std::vector<camera::Picture> made;
     const auto build = [&](const LocatedDefinition& place, const std::vector<Override>& values) {
-        if (auto picture = build_whole(place, values, session)) {
+        auto found = resolve_base({place, {}}, session);
+        if (auto picture = found ? build_whole(*found, values, session) : std::nullopt) {
             made.push_back(std::move(*picture));
         }
     };
@@ -376,12 +397,12 @@ Result<ExplainedPicture> Workspace::explain(const CameraSource& source, std::str
                                             const std::vector<Override>& overrides) {
     Session session = implementation_->begin();
     const Module* module = read(session, source);
-    const auto place = find(module, name, false, session.reporter());
+    auto found = find_shown(module, name, session);
     std::optional<camera::Picture> made =
-        place ? build_whole(*place, overrides, session) : std::nullopt;
+        found ? build_whole(*found, overrides, session) : std::nullopt;
     std::optional<ExplainedPicture> explained;
     if (made && session.reporter().error_count() == 0) {
-        Explanation explanation = lang::explain(*place, *made, {overrides, {}}, session);
+        Explanation explanation = lang::explain(found->place, *made, found->given, session);
         explained = ExplainedPicture{std::move(*made), std::move(explanation)};
     }
     return finish(std::move(explained), module, session);
@@ -395,7 +416,12 @@ Result<std::vector<Description>> Workspace::describe(const CameraSource& source)
     }
     std::vector<Description> made;
     for (const LocatedDefinition& place : own_definitions(*module)) {
-        made.push_back(description_of(module->tree, *place.camera));
+        if (const auto found = resolve_base({place, {}}, session)) {
+            made.push_back(description_of(place, *found));
+        }
+    }
+    if (session.reporter().error_count() > 0) {
+        return session.reporter().take();
     }
     return {std::move(made), session.reporter().take()};
 }

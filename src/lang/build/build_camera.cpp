@@ -36,7 +36,7 @@ public:
     std::optional<camera::Camera> run() {
         const std::size_t errors_before = reporter_.error_count();
         camera::Camera::Parts parts;
-        parts.name = std::string(camera_.name.text);
+        parts.name = std::string(place_.name());
         parts.inputs = session_.inputs();
         parts.arrangers = make_arrangers(camera_.statements,
                                          {StatementKind::place, StatementKind::arrange}, stages_);

@@ -42,7 +42,7 @@ public:
         const std::size_t errors_before = reporter_.error_count();
         const Statements statements(tree_, picture_.statements, reporter_);
         camera::Picture::Parts parts;
-        parts.name = std::string(picture_.name.text);
+        parts.name = std::string(place_.name());
         size(parts);
         if (const Statement* aspect = statements.find(StatementKind::aspect)) {
             this->aspect(*aspect, parts);

@@ -24,8 +24,8 @@ std::set<std::string_view> parameter_names(const DefinitionSyntax& camera) {
     return names;
 }
 
-std::string no_parameter(const DefinitionSyntax& camera, std::string_view name) {
-    return fmt::format("the {} '{}' has no parameter '{}'", word_for(camera), camera.name.text,
+std::string no_parameter(const LocatedDefinition& place, std::string_view name) {
+    return fmt::format("the {} '{}' has no parameter '{}'", word_for(*place.camera), place.name(),
                        name);
 }
 
@@ -82,7 +82,7 @@ void DefinitionScope::read_overrides(const std::vector<Override>& overrides) {
             "--set", fmt::format("{}={}", given.name, given.expression));
         if (!parameters_.contains(given.name)) {
             session_.reporter().error(
-                {source, 0, given.name.size()}, no_parameter(*place_.camera, given.name),
+                {source, 0, given.name.size()}, no_parameter(place_, given.name),
                 [&] { return instead_of_parameter(*place_.camera, given.name); });
             continue;
         }
@@ -99,9 +99,9 @@ void DefinitionScope::read_values(const std::vector<ParameterValue>& values) {
     for (const ParameterValue& value : values) {
         values_.try_emplace(value.name.text, &value);
         if (!place_.camera->broken && !parameters_.contains(value.name.text)) {
-            session_.reporter().error(
-                value.name_place, no_parameter(*place_.camera, value.name.text),
-                [&] { return instead_of_parameter(*place_.camera, value.name.text); });
+            session_.reporter().error(value.name_place, no_parameter(place_, value.name.text), [&] {
+                return instead_of_parameter(*place_.camera, value.name.text);
+            });
         }
     }
 }
@@ -124,14 +124,14 @@ void DefinitionScope::define_parameter(const DefinitionParameter& parameter) {
         value = evaluate_any(tree_, parameter.default_value, scope_, session_.context());
     }
     value = fitted(value, name);
-    if (const auto given = overrides_.find(name); given != overrides_.end()) {
-        value = overridden(given->second, value, name);
-    }
     if (const auto given = values_.find(name); given != values_.end()) {
         value = checked(given->second->value, given->second->value_place, value, name);
     }
+    if (const auto given = overrides_.find(name); given != overrides_.end()) {
+        value = overridden(given->second, value, name);
+    }
     if (session_.scene() && fitted_.contains(name)) {
-        session_.note_fitted(place_.camera->name.text, name, value, fitted_.follows_place(name));
+        session_.note_fitted(place_.name(), name, value, fitted_.follows_place(name));
     }
     if (open_.contains(name)) {
         value = opened(value, name);
@@ -199,7 +199,7 @@ Value DefinitionScope::checked(const Value& value, const SourceSpan& span,
         }
         return value;
     }
-    if (default_value.is_angle() && value.is_plain_number()) {
+    if (default_value.unit == Unit::angle && value.is_plain_number()) {
         session_.reporter().error(
             span, fmt::format("'{}' must be an angle, but this is a plain number", name),
             "append deg or rad: 30deg, 0.5rad");
@@ -223,6 +223,9 @@ std::vector<Value> DefinitionScope::values() {
 }
 
 void DefinitionScope::warn_of_unused() {
+    if (place_.derived != nullptr) {
+        return;
+    }
     const auto warn = [this](const Identifier& name, std::string_view what) {
         const Definition* definition = scope_.find_here(name.text);
         if (definition != nullptr && !definition->used) {

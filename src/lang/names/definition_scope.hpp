@@ -18,11 +18,11 @@ namespace balcony::lang {
 [[nodiscard]] std::string_view word_for(const DefinitionSyntax& camera);
 [[nodiscard]] std::set<std::string_view> parameter_names(const DefinitionSyntax& camera);
 /// The error of a name that is no parameter, and its remedy.
-[[nodiscard]] std::string no_parameter(const DefinitionSyntax& camera, std::string_view name);
+[[nodiscard]] std::string no_parameter(const LocatedDefinition& place, std::string_view name);
 [[nodiscard]] std::string instead_of_parameter(const DefinitionSyntax& camera,
                                                std::string_view name);
 
-/// A value for a parameter of a layer.
+/// A value for a parameter of a layer or of a base.
 struct ParameterValue {
     Identifier name;
     SourceSpan name_place;
@@ -30,7 +30,8 @@ struct ParameterValue {
     SourceSpan value_place;
 };
 
-/// Values for parameters: texts from the command line, or values from a picture.
+/// Values for parameters: texts from the command line, or else values from files, of which the
+/// first counts.
 struct GivenParameters {
     std::vector<Override> overrides;
     std::vector<ParameterValue> values;
@@ -47,7 +48,7 @@ public:
     [[nodiscard]] Scope& names() { return scope_; }
     /// The values of its parameters, in their order.
     [[nodiscard]] std::vector<Value> values();
-    /// Warns about unused names. The definition must have no errors.
+    /// Warns about unused names, but not of a base. The definition must have no errors.
     void warn_of_unused();
 
 private:

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "lang/built_in_cameras.hpp"
 #include "lang/names/evaluate.hpp"
 
 namespace balcony::lang {
@@ -48,6 +49,14 @@ void report_unknown(const SyntaxTree& tree, const Identifier& name, Scope& scope
         if (!definition->value.failed()) {
             report_value(name, definition->value, tree, context.reporter);
         }
+        return;
+    }
+    if (find_built_in_camera(name.text) != nullptr) {
+        context.reporter.error(
+            tree.at(name.span), fmt::format("expected a number, but '{}' is a camera", name.text),
+            fmt::format("write camera NAME = {}( ... ) for a camera with other values of its "
+                        "parameters",
+                        name.text));
         return;
     }
     if (scope.incomplete()) {

@@ -153,7 +153,7 @@ void Session::add_to_key(const Value& value, ParameterKey& key) {
 
 Session::BuiltKey Session::key_of(const LocatedDefinition& place,
                                   const std::vector<Value>& parameters) {
-    BuiltKey key{place.camera, {}};
+    BuiltKey key{&place.named(), {}};
     for (const Value& value : parameters) {
         add_to_key(value, key.second);
     }

@@ -44,6 +44,13 @@ struct Module {
 struct LocatedDefinition {
     const Module* module = nullptr;
     const DefinitionSyntax* camera = nullptr;
+    /// The definition, in any file, that this one is the base of, and whose name it has then.
+    const DefinitionSyntax* derived = nullptr;
+
+    [[nodiscard]] const DefinitionSyntax& named() const {
+        return derived != nullptr ? *derived : *camera;
+    }
+    [[nodiscard]] std::string_view name() const { return named().name.text; }
 };
 
 class Session final : public Tables {
@@ -139,7 +146,8 @@ private:
     std::vector<camera::KnownInput> inputs_;
     std::vector<const DefinitionSyntax*> morphs_;
     std::map<const DefinitionSyntax*, std::size_t> morph_levels_;
-    // By their syntax and their parameters' values: nodes with units, forms with lengths.
+    // By the syntax that names them and their parameters' values: nodes with units, forms with
+    // lengths.
     using ParameterKey = std::vector<std::pair<std::size_t, std::variant<Unit, Value::Form>>>;
     using BuiltKey = std::pair<const DefinitionSyntax*, ParameterKey>;
     static BuiltKey key_of(const LocatedDefinition& place, const std::vector<Value>& parameters);

@@ -364,7 +364,8 @@ std::optional<ExpressionId> ExpressionParser::stage(std::string_view what) {
         const bool assigned = token.is("=") || token.is(":");
         tokens_.expected(what, assigned ? fmt::format("remove the '{}'", token.text)
                                : token.kind == TokenKind::text
-                                   ? fmt::format("remove the quotation marks: {}", token.text)
+                                   ? fmt::format("remove the quotation marks: {}",
+                                                 token.text.substr(0, token.text.rfind(".cam")))
                                    : "run 'balcony list' for a list of all stages");
         return std::nullopt;
     }

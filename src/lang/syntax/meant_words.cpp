@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "balcony/lang.hpp"
 #include "balcony/names.hpp"
 
 namespace balcony::lang {
@@ -22,6 +23,9 @@ struct MeantStatement {
     std::string_view keyword;
     std::string_view remedy;
 };
+
+constexpr std::string_view parameters_of_cameras =
+    "parameters stand behind the name of the camera: camera NAME(fov = 60deg) { ... }";
 
 constexpr std::array meant_statements = {
     MeantStatement{"opacity", "alpha", "write alpha 0.5, from 0 (invisible) to 1"},
@@ -62,6 +66,12 @@ constexpr std::array meant_statements = {
     MeantStatement{"fov", "map",
                    "the field of view is the range of map; for a pinhole camera: map u = "
                    "tan(fov/2) .. -tan(fov/2), v = square"},
+    MeantStatement{"param", "let", parameters_of_cameras},
+    MeantStatement{"parameter", "let", parameters_of_cameras},
+    MeantStatement{"float", "let", "write let width = 4: values have no types"},
+    MeantStatement{"var", "let", "write let width = 4"},
+    MeantStatement{"set", "let", "write let width = 4"},
+    MeantStatement{"extends", "map", "write camera wide = fisheye(fov = 200deg), without a block"},
     MeantStatement{"for", "warp",
                    "loops repeat the layers of a picture; write repeat(n, ...) in warp or move"},
     MeantStatement{"if", "warp", "choose between numbers with if(condition, a, b)"},
@@ -107,6 +117,22 @@ constexpr std::array meant_stages = {
     MeantStage{StageKind::clip_shape, "square", "write rectangle"},
 };
 
+/// A word of other languages, and what opens its definition here.
+struct MeantItem {
+    std::string_view word;
+    std::string_view remedy;
+};
+
+constexpr std::array meant_items = {
+    MeantItem{"include", "write import \"pinhole.cam\""},
+    MeantItem{"use", "write import \"pinhole.cam\""},
+    MeantItem{"using", "write import \"pinhole.cam\""},
+    MeantItem{"require", "write import \"pinhole.cam\""},
+    MeantItem{"function", "write let half(x) = x/2"},
+    MeantItem{"def", "write let half(x) = x/2"},
+    MeantItem{"scene", "a scene is a file of its own: balcony render scene.glb --camera FILE.cam"},
+};
+
 bool contains(const std::vector<std::string>& words, std::string_view word) {
     return std::find(words.begin(), words.end(), word) != words.end();
 }
@@ -135,6 +161,14 @@ std::string statement_remedy(std::string_view word, Block block,
     if (!with_statement.empty()) {
         return fmt::format("write {}", one_of(with_statement));
     }
+    if (contains(built_in_cameras(), word)) {
+        return contains(known, "layer")
+                   ? fmt::format("write layer {}", word)
+                   : fmt::format(
+                         "write camera NAME = {}( ... ), without a block, for a camera with "
+                         "other values of its parameters",
+                         word);
+    }
     const bool of_camera =
         contains(keywords_for(Block::camera), word) || contains(keywords_for(Block::path), word);
     if (of_camera && (contains(known, "layer") || contains(known, "clip"))) {
@@ -142,6 +176,14 @@ std::string statement_remedy(std::string_view word, Block block,
                            word);
     }
     return suggestion(word, known, "the statements are");
+}
+
+std::string item_remedy(std::string_view word) {
+    const auto row = std::find_if(meant_items.begin(), meant_items.end(),
+                                  [word](const MeantItem& one) { return one.word == word; });
+    return row != meant_items.end()
+               ? std::string(row->remedy)
+               : suggestion(word, {"import", "let", "camera", "picture"}, "write");
 }
 
 std::optional<std::string> stage_remedy(StageKind kind, std::string_view word) {

@@ -16,6 +16,8 @@ namespace balcony::lang {
 /// A remedy for a word that opens no statement in a block.
 [[nodiscard]] std::string statement_remedy(std::string_view word, Block block,
                                            const camera::Catalogue& catalogue);
+/// A remedy for a word that opens no definition.
+[[nodiscard]] std::string item_remedy(std::string_view word);
 /// What to write for a word in the place of a stage; nothing if it has no known meaning.
 [[nodiscard]] std::optional<std::string> stage_remedy(camera::StageKind kind,
                                                       std::string_view word);

@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <set>
 
 #include <fmt/format.h>
 
 #include "lang/syntax/expression_parser.hpp"
+#include "lang/syntax/meant_words.hpp"
 #include "lang/syntax/statement_parser.hpp"
 #include "lang/syntax/statement_rows.hpp"
 #include "lang/syntax/token_stream.hpp"
@@ -84,6 +87,11 @@ private:
             tokens_.error(token.span,
                           fmt::format("'{}' is outside of any camera or picture", token.text),
                           "move it into the braces of camera name { ... }");
+        } else if (is_unmarked_camera()) {
+            tokens_.error(token.span, "a camera needs the word 'camera'",
+                          fmt::format("write 'camera' before '{}'", token.text));
+            skip_to_item();
+            return;
         } else if (const std::size_t at = unmarked_let()) {
             tokens_.error(token.span, "a value or a function needs the word 'let'",
                           at > 1 ? fmt::format("write 'let' instead of '{}'", token.text)
@@ -94,9 +102,7 @@ private:
             tree_.items.emplace_back(statements_.unmarked_let());
             return;
         } else if (token.kind == TokenKind::name) {
-            tokens_.expected(
-                "'import', 'let', 'camera' or 'picture'",
-                suggestion(token.text, {"import", "let", "camera", "picture"}, "write"));
+            tokens_.expected("'import', 'let', 'camera' or 'picture'", item_remedy(token.text));
         } else {
             tokens_.expected("'import', 'let', 'camera' or 'picture'",
                              "the syntax is camera name { ... }");
@@ -134,6 +140,15 @@ private:
         return 0;
     }
 
+    // name = name(name =, since functions take no names.
+    [[nodiscard]] bool is_unmarked_camera() const {
+        const auto is_name = [this](std::size_t at) {
+            return tokens_.peek(at).kind == TokenKind::name;
+        };
+        return is_name(0) && tokens_.peek(1).is("=") && is_name(2) && tokens_.peek(3).is("(") &&
+               is_name(4) && tokens_.peek(5).is("=") && !tokens_.peek(2).is_name("keys");
+    }
+
     // word name { or word name(...) {, where the word is probably a misspelled `camera`.
     [[nodiscard]] bool looks_like_camera() const {
         return tokens_.peek().kind == TokenKind::name && tokens_.peek(1).kind == TokenKind::name &&
@@ -146,8 +161,10 @@ private:
         if (token.kind != TokenKind::text) {
             // The point of an unquoted file name has been reported.
             if (tokens_.peek(1).kind != TokenKind::stray) {
-                tokens_.expected("a file name in quotation marks after 'import'",
-                                 "for example import \"lengths.cam\"");
+                tokens_.expected(
+                    "a file name in quotation marks after 'import'",
+                    fmt::format("for example import \"{}.cam\"",
+                                token.kind == TokenKind::name ? token.text : "lengths"));
             }
             skip_to_item();
             tree_.items.emplace_back(Import{begin, {}, true});
@@ -179,16 +196,18 @@ private:
             camera.name = *name;
         }
         if (tokens_.peek().is("(")) {
-            parameters(camera);
+            statements_.parameters(camera);
         }
         if (camera.is_picture && tokens_.peek().kind == TokenKind::number) {
             size(camera);
         }
-        if (!tokens_.peek().is("{")) {
-            tokens_.mute(reporter_.error_count() > errors_before);
+        tokens_.mute(reporter_.error_count() > errors_before);
+        if (!size_failed_ && is_derived()) {
+            base(camera, what);
+        } else if (!tokens_.peek().is("{")) {
             missing_brace(camera, what);
-            tokens_.mute(false);
         }
+        tokens_.mute(false);
         camera.broken = camera.broken || reporter_.error_count() > errors_before;
         if (tokens_.peek().is("{")) {
             camera.statements =
@@ -205,33 +224,129 @@ private:
         tree_.items.emplace_back(std::move(camera));
     }
 
-    // camera a extends fisheye { ... }
+    // camera wide = fisheye(fov = 200deg), or a word of other languages instead of the '='.
     [[nodiscard]] bool is_derived() const {
         constexpr std::array<std::string_view, 6> words{"extends", "inherits", "from",
                                                         "is",      "of",       "like"};
         const Token& token = tokens_.peek();
-        return token.is(":") || (token.kind == TokenKind::name &&
-                                 std::find(words.begin(), words.end(), token.text) != words.end());
+        return (token.is("=") && !tokens_.peek(1).is("{")) || token.is(":") ||
+               (token.kind == TokenKind::name &&
+                std::find(words.begin(), words.end(), token.text) != words.end());
     }
 
-    // A camera that is to be another one with other values is a picture of that one. The rest is
-    // skipped up to the next definition.
-    void derived_camera(std::string_view name) {
-        const Span word = tokens_.next().span;
-        const std::string_view text = tree_.source->text();
-        std::string_view of = text.substr(word.end, text.find_first_of("{\n", word.end) - word.end);
-        while (!of.empty() && (of.front() == ' ' || of.front() == '\t')) {
-            of.remove_prefix(1);
+    // The camera that this one is made of, with values of its parameters, and nothing else: other
+    // spellings are answered with this one, which has the values that they give.
+    void base(DefinitionSyntax& camera, std::string_view what) {
+        const Token word = tokens_.next();
+        const std::string expected = fmt::format("the name of a {}", what);
+        const bool given =
+            (tokens_.peek().kind == TokenKind::name || tokens_.peek().kind == TokenKind::text) &&
+            !is_file_keyword(tokens_.peek());
+        if (!given) {
+            tokens_.expected(expected, "for example camera wide = fisheye(fov = 200deg)");
         }
-        while (!of.empty() && (of.back() == ' ' || of.back() == '\t' || of.back() == '\r')) {
-            of.remove_suffix(1);
+        const auto call = given ? expressions_.stage(expected) : std::nullopt;
+        if (!call) {
+            camera.broken = true;
+            skip_to_item();
+            return;
         }
-        const bool is_call = of.ends_with(')');
-        tokens_.error(word, "a camera is not made of another one",
-                      fmt::format("write picture {} {{ layer {}{} }}{}", name,
-                                  of.empty() ? "fisheye" : of, is_call ? "" : "(fov = 60deg)",
-                                  is_call ? "" : ", with new values of its parameters"));
-        while (!tokens_.at_end() && !(is_file_keyword(tokens_.peek()) && tokens_.at_new_line())) {
+        camera.base = *call;
+        const Token opening = tokens_.peek();
+        const bool has_block = opening.is("{");
+        if (word.is("=") && camera.parameters.empty() && camera.size.empty() && !has_block) {
+            return;
+        }
+        std::vector<std::string> values = values_of(camera, tree_[*call]);
+        const bool has_statements = has_block && skip_block(values);
+        const std::string_view name = tree_[*call].name.text;
+        tokens_.error(
+            !word.is("=") ? word.span
+            : has_block   ? opening.span
+                          : camera.name.span,
+            fmt::format("a {0} that is made of another {0} is written with '=' and values of its "
+                        "parameters alone",
+                        what),
+            fmt::format("write {} {} = {}{}{}{}", what, camera.name.text, name,
+                        values.empty() ? "" : "(", fmt::join(values, ", "),
+                        values.empty() ? ", with values behind it: (NAME = VALUE)" : ")") +
+                (has_statements ? fmt::format("; for other statements, write a {} of its own with "
+                                              "those that 'balcony explain {}' shows",
+                                              what, name)
+                                : ""));
+    }
+
+    // fov = 200deg: what a call gives, with the defaults of parameters instead of their names, and
+    // the other parameters.
+    [[nodiscard]] std::vector<std::string> values_of(const DefinitionSyntax& camera,
+                                                     const Expression& call) const {
+        std::map<std::string_view, std::string_view> defaults;
+        for (const DefinitionParameter& parameter : camera.parameters) {
+            if (parameter.default_value.valid()) {
+                defaults.emplace(parameter.name.text, text_of(parameter.default_value));
+            }
+        }
+        std::vector<std::string> values;
+        std::set<std::string_view> passed;
+        for (const Argument& argument : call.arguments) {
+            const std::string_view written = text_of(argument.value);
+            const auto known = defaults.find(written);
+            passed.insert(written);
+            values.push_back(fmt::format("{}{}{}", argument.name ? argument.name->text : "",
+                                         argument.name ? " = " : "",
+                                         known == defaults.end() ? written : known->second));
+        }
+        for (const auto& [name, written] : defaults) {
+            if (!passed.contains(name)) {
+                values.push_back(fmt::format("{} = {}", name, written));
+            }
+        }
+        return values;
+    }
+
+    [[nodiscard]] std::string_view text_of(ExpressionId id) const {
+        return tree_.text(tree_[id].span);
+    }
+
+    // Skips a block and adds the values that it gives to parameters: name = value, name: value or
+    // let name = value. Returns whether there is anything else in it.
+    bool skip_block(std::vector<std::string>& values) {
+        const bool muted = tokens_.muted();
+        tokens_.mute(true);
+        tokens_.next();
+        bool has_statements = false;
+        while (!tokens_.at_end() && !tokens_.peek().is("}") && !is_file_keyword(tokens_.peek())) {
+            if (tokens_.peek().is_name("let") || tokens_.peek().is(",")) {
+                tokens_.next();
+                continue;
+            }
+            const Token name = tokens_.next();
+            const bool is_value = name.kind == TokenKind::name &&
+                                  find_statement(name, Block::camera) == nullptr &&
+                                  (tokens_.peek().is("=") || tokens_.peek().is(":"));
+            if (!is_value) {
+                has_statements = true;
+                skip_line();
+                continue;
+            }
+            tokens_.next();
+            if (const auto value = expressions_.expression()) {
+                values.push_back(fmt::format("{} = {}", name.text, text_of(*value)));
+            } else {
+                skip_line();
+            }
+        }
+        tokens_.accept("}");
+        tokens_.mute(muted);
+        return has_statements;
+    }
+
+    // Up to the next line or the end of the block.
+    void skip_line() {
+        int braces = 0;
+        while (!tokens_.at_end() &&
+               (braces > 0 || !(tokens_.peek().is("}") || tokens_.at_new_line()))) {
+            braces += tokens_.peek().is("{") ? 1 : tokens_.peek().is("}") ? -1 : 0;
             tokens_.next();
         }
     }
@@ -245,9 +360,6 @@ private:
         const bool on_line = token.kind == TokenKind::name && !tokens_.at_new_line();
         if (size_failed_) {
             size_failed_ = false;
-        } else if ((token.is("=") && !tokens_.peek(1).is("{")) || is_derived()) {
-            derived_camera(camera.name.text);
-            return;
         } else if (on_line) {
             tokens_.error(
                 {camera.name.span.begin, token.span.end},
@@ -278,57 +390,6 @@ private:
         if (const auto height = expressions_.expression()) {
             picture.size = {*width, *height};
             size_failed_ = false;
-        }
-    }
-
-    void parameters(DefinitionSyntax& camera) {
-        const Span opening = tokens_.next().span;
-        if (tokens_.accept(")")) {
-            return;
-        }
-        do {
-            const auto name = statements_.new_name(fmt::format(
-                "a name for the {}'s parameter", camera.is_picture ? "picture" : "camera"));
-            if (!name) {
-                skip_parameters(camera);
-                return;
-            }
-            camera.parameters.push_back({*name, ExpressionId()});
-            if (!tokens_.peek().is("=")) {
-                tokens_.expected(fmt::format("'=' and a default value for '{}'", name->text),
-                                 "every parameter needs a default, so that a camera can be used "
-                                 "without arguments");
-                skip_parameters(camera);
-                return;
-            }
-            tokens_.next();
-            const auto value = expressions_.expression();
-            if (!value) {
-                skip_parameters(camera);
-                return;
-            }
-            camera.parameters.back().default_value = *value;
-        } while (tokens_.accept(","));
-        if (!tokens_.expect_closing(")", opening)) {
-            skip_parameters(camera);
-        }
-    }
-
-    // Skips to the camera's opening brace. Parameters on the way are recorded, so that their
-    // uses are not errors.
-    void skip_parameters(DefinitionSyntax& camera) {
-        camera.broken = true;
-        int depth = 0;
-        while (!tokens_.at_end() && !tokens_.peek().is("{") && !is_file_keyword(tokens_.peek()) &&
-               statements_.keyword_at(tokens_.peek()) == nullptr) {
-            const Token& token = tokens_.next();
-            depth += token.is("(") ? 1 : token.is(")") ? -1 : 0;
-            const bool is_new =
-                std::none_of(camera.parameters.begin(), camera.parameters.end(),
-                             [&](const auto& known) { return known.name.text == token.text; });
-            if (depth == 0 && token.kind == TokenKind::name && tokens_.peek().is("=") && is_new) {
-                camera.parameters.push_back({{token.text, token.span}, ExpressionId()});
-            }
         }
     }
 

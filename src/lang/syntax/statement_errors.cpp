@@ -24,7 +24,8 @@ StatementKind StatementParser::unknown_statement(Block block) {
                       "move and arrange");
         return StatementKind::unknown;
     }
-    if (token.kind != TokenKind::name) {
+    const bool is_unit = token.is_name("deg") || token.is_name("rad");
+    if (token.kind != TokenKind::name || is_unit) {
         tokens_.expected(fmt::format("a statement ({})", one_of(known)),
                          "write the arguments of a stage in parentheses, for example sphere(1)");
         return StatementKind::unknown;

@@ -13,8 +13,8 @@
 
 namespace balcony::lang {
 
-/// Parses statements of cameras and pictures. One with an error is reported and marked as broken;
-/// parsing continues with the next.
+/// Parses parameters and statements of cameras and pictures. One with an error is reported and
+/// marked as broken; parsing continues with the next.
 class StatementParser {
 public:
     StatementParser(TokenStream& tokens, ExpressionParser& expressions,
@@ -31,10 +31,14 @@ public:
     [[nodiscard]] Statement statement(Block block);
     /// A let without its keyword, which has been reported.
     [[nodiscard]] Statement unmarked_let();
+    /// The parameters of a camera or a picture, in parentheses. After an error it is broken.
+    void parameters(DefinitionSyntax& camera);
     /// { statements }
     [[nodiscard]] std::vector<Statement> block(Block block);
 
 private:
+    [[nodiscard]] bool parameter(DefinitionSyntax& camera);
+    void skip_parameters(DefinitionSyntax& camera);
     [[nodiscard]] StatementKind unknown_statement(Block block);
     void misplaced_statement(const StatementRow& row, Block block);
     void skip_statement();

@@ -171,7 +171,7 @@ struct Import {
 
 struct DefinitionParameter {
     Identifier name;
-    ExpressionId default_value;  ///< Invalid after a syntax error.
+    ExpressionId default_value{};  ///< Invalid after a syntax error.
 };
 
 /// A camera or a picture.
@@ -182,6 +182,9 @@ struct DefinitionSyntax {
     bool broken = false;  ///< Its beginning had a syntax error: names in it may be unread.
     std::vector<DefinitionParameter> parameters;
     std::vector<ExpressionId> size;  ///< Width and height of a picture, if given.
+    /// The call of the one that it is made of: camera wide = fisheye(fov = 200deg). It then has no
+    /// parameters and no statements of its own.
+    ExpressionId base{};
     std::vector<Statement> statements;
 };
 

@@ -287,7 +287,7 @@ private:
     static Explanation heading(const LocatedDefinition& place, DefinitionScope& scope,
                                std::string summary) {
         Explanation made;
-        made.name = std::string(place.camera->name.text);
+        made.name = std::string(place.name());
         made.is_picture = place.camera->is_picture;
         made.summary = std::move(summary);
         const std::vector<Value> values = scope.values();

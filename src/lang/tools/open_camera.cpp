@@ -103,19 +103,27 @@ std::optional<OpenAttempt> attempt(const MakeOpen& make, const std::vector<std::
 
 }  // namespace
 
-OpenAttempt open_attempt(camera::Picture picture, const LocatedDefinition& place,
-                         const std::vector<Override>& overrides, const std::vector<Value>& values) {
+std::string default_text(const ResolvedLayer& found, const DefinitionParameter& parameter) {
+    const SyntaxTree& tree = found.place.module->tree;
+    SourceSpan written = tree.at(tree[parameter.default_value].span);
+    for (auto given = found.given.values.rbegin(); given != found.given.values.rend(); ++given) {
+        written = given->name.text == parameter.name.text ? given->value_place : written;
+    }
+    return std::string(written.source->text().substr(written.begin, written.end - written.begin));
+}
+
+OpenAttempt open_attempt(camera::Picture picture, const ResolvedLayer& found,
+                         const std::vector<Value>& values) {
     OpenAttempt made{std::move(picture), {}, {}};
-    const SyntaxTree& tree = place.module->tree;
     for (std::size_t i = 0; i < values.size(); ++i) {
-        const DefinitionParameter& parameter = place.camera->parameters[i];
+        const DefinitionParameter& parameter = found.place.camera->parameters[i];
         const std::string name(parameter.name.text);
         if (!values[i].is_constant()) {
             made.others.push_back(name);
             continue;
         }
-        std::string written(tree.text(tree[parameter.default_value].span));
-        for (const Override& given : overrides) {
+        std::string written = default_text(found, parameter);
+        for (const Override& given : found.given.overrides) {
             written = given.name == name ? given.expression : written;
         }
         made.numbers.push_back(

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "balcony/lang.hpp"
-#include "lang/names/definition_scope.hpp"
+#include "lang/build/resolved_layer.hpp"
 
 namespace balcony::lang {
 
@@ -27,8 +27,11 @@ using MakeOpen = std::function<Result<OpenAttempt>(const std::vector<std::string
     const MakeOpen& make, const std::optional<std::vector<std::string>>& requested);
 
 /// The parameters of a definition, sorted by what they are.
-[[nodiscard]] OpenAttempt open_attempt(camera::Picture picture, const LocatedDefinition& place,
-                                       const std::vector<Override>& overrides,
+[[nodiscard]] OpenAttempt open_attempt(camera::Picture picture, const ResolvedLayer& found,
                                        const std::vector<Value>& values);
+
+/// The source text of a parameter's value: that of its base, or else its default.
+[[nodiscard]] std::string default_text(const ResolvedLayer& found,
+                                       const DefinitionParameter& parameter);
 
 }  // namespace balcony::lang
