@@ -69,6 +69,8 @@ struct Description {
     struct Parameter {
         std::string name;
         std::string default_text;  ///< The source text.
+        camera::Range limits{};    ///< The values that it may have; angles in radians.
+        std::string limits_text;   ///< The source text; empty without limits.
     };
 
     std::string name;
@@ -122,6 +124,7 @@ struct OpenParameter {
     std::string written;  ///< The source text of its value.
     double value = 0.0;   ///< In radians if it is an angle.
     bool is_angle = false;
+    camera::Range limits{};  ///< The values that it may have. What moves the input keeps to them.
 };
 
 /// The name of the input of an open parameter.

@@ -11,6 +11,7 @@
 #include "lang/build/build_camera.hpp"
 #include "lang/build/resolved_layer.hpp"
 #include "lang/built_in_cameras.hpp"
+#include "lang/names/parameter_limits.hpp"
 #include "lang/names/session.hpp"
 #include "lang/names/unused_names.hpp"
 #include "lang/tools/explain.hpp"
@@ -225,7 +226,8 @@ void add_layers(const SyntaxTree& tree, const std::vector<Statement>& statements
     }
 }
 
-Description description_of(const LocatedDefinition& written, const ResolvedLayer& found) {
+Description description_of(const LocatedDefinition& written, const ResolvedLayer& found,
+                           Session& session) {
     const SyntaxTree& tree = written.module->tree;
     const DefinitionSyntax& camera = *written.camera;
     Description made;
@@ -239,8 +241,9 @@ Description description_of(const LocatedDefinition& written, const ResolvedLayer
     made.is_picture = camera.is_picture;
     add_layers(found.place.module->tree, found.place.camera->statements, made.layers);
     for (const DefinitionParameter& parameter : found.place.camera->parameters) {
-        made.parameters.push_back(
-            {std::string(parameter.name.text), default_text(found, parameter)});
+        made.parameters.push_back({std::string(parameter.name.text), default_text(found, parameter),
+                                   limits_of(found.place, parameter, session),
+                                   std::string(found.place.module->tree.text(parameter.limits))});
     }
     return made;
 }
@@ -280,7 +283,7 @@ public:
             }
             std::optional<OpenAttempt> made;
             if (picture) {
-                made = open_attempt(std::move(*picture), *found, values);
+                made = open_attempt(std::move(*picture), *found, values, session);
             }
             return finish(std::move(made), module, session);
         };
@@ -417,7 +420,7 @@ Result<std::vector<Description>> Workspace::describe(const CameraSource& source)
     std::vector<Description> made;
     for (const LocatedDefinition& place : own_definitions(*module)) {
         if (const auto found = resolve_base({place, {}}, session)) {
-            made.push_back(description_of(place, *found));
+            made.push_back(description_of(place, *found, session));
         }
     }
     if (session.reporter().error_count() > 0) {

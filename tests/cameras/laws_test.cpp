@@ -11,6 +11,8 @@
 #include <iterator>
 #include <set>
 
+#include <fmt/format.h>
+
 #include "../laws/ray_laws.hpp"
 #include "support.hpp"
 
@@ -101,6 +103,41 @@ TEST_P(BuiltIn, FitsAScene) {
     }
     // The thinnest map, which is infinite, covers 0.317 of its picture.
     EXPECT_GE(valid, 3 * width * side / 10);
+}
+
+TEST_P(BuiltIn, IsMadeAtTheLimitsOfItsParametersAndNotBeyond) {
+    // What these may be depends on other parameters as well.
+    const std::set<std::string_view> depends{"omnimax radius",
+                                             "catadioptric_spherical distance",
+                                             "pavement_anamorphosis far",
+                                             "slide_curved radius",
+                                             "slide_mesh throw",
+                                             "ods merge_from",
+                                             "ods merge_to",
+                                             "ods_stereo merge_from",
+                                             "ods_stereo merge_to",
+                                             "vr180 merge_from",
+                                             "vr180 merge_to"};
+    for (const auto& parameter : description_of(GetParam()).parameters) {
+        const bool is_angle = parameter.default_text.find("deg") != std::string::npos;
+        const auto made = [&](double value) {
+            return lang::make_picture(
+                       file_name(GetParam()), "",
+                       {{parameter.name, fmt::format("{:.17g}{}", value, is_angle ? "rad" : "")}})
+                .value.has_value();
+        };
+        const auto& [minimum, maximum, excludes_minimum] = parameter.limits;
+        const bool at_limits = !depends.contains(GetParam() + " " + parameter.name);
+        if (std::isfinite(minimum)) {
+            EXPECT_TRUE(!at_limits || made(excludes_minimum ? minimum + 0.01 : minimum))
+                << parameter.name;
+            EXPECT_FALSE(made(excludes_minimum ? minimum : minimum - 1e-6)) << parameter.name;
+        }
+        if (std::isfinite(maximum)) {
+            EXPECT_TRUE(!at_limits || made(maximum)) << parameter.name;
+            EXPECT_FALSE(made(maximum + 1e-6)) << parameter.name;
+        }
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(All, BuiltIn, testing::ValuesIn(lang::built_in_cameras()),

@@ -3,6 +3,7 @@
 """The commands that do not render."""
 
 import json
+import math
 
 import support
 
@@ -49,6 +50,12 @@ class List(support.CommandTest):
         self.assertEqual(families["pinhole"], "perspective")
         above = self.json_of("list", "my.cam")["cameras"][0]
         self.assertEqual(above["parameters"], [{"name": "size", "default": "3"}])
+        fov = self.json_of("list", "pinhole")["cameras"][0]["parameters"][0]
+        self.assertEqual(fov["limits"], "above 0 to 179deg")
+        self.assertEqual(fov["minimum"], 0)
+        self.assertAlmostEqual(fov["maximum"], math.radians(179))
+        self.assertIn("fov = 60deg above 0 to 179deg, px = 0,",
+                      self.run_command("list", "pinhole")[0])
         self.json_of("list", "zom", code=2)
         self.json_of("list", "none.cam", code=1)
 

@@ -26,7 +26,8 @@ TEST_P(Editor, KnowsEveryWord) {
     for (const StatementRow& row : statement_rows()) {
         words.emplace_back(row.keyword);
     }
-    words.insert(words.end(), {"import", "camera", "pi", "t", "square", "deg", "rad"});
+    words.insert(words.end(),
+                 {"import", "camera", "pi", "t", "square", "deg", "rad", "above", "from", "to"});
     for (const std::string& word : words) {
         EXPECT_TRUE(std::regex_search(text, std::regex("\\b" + word + "\\b"))) << word;
     }

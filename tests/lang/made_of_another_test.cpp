@@ -134,6 +134,7 @@ TEST(MadeOfAnother, IsDescribedWithItsValues) {
     EXPECT_EQ(wide.comment, "A wide one.");
     ASSERT_EQ(wide.parameters.size(), 7U);
     EXPECT_EQ(wide.parameters[0].default_text, "2*100deg");
+    EXPECT_EQ(wide.parameters[0].limits_text, "above 0 to 360deg");
     EXPECT_EQ(wide.parameters[1].default_text, "0");
     EXPECT_FALSE(Workspace().describe(folder.write("b.cam", "camera wide = fishye")));
 }
@@ -154,10 +155,14 @@ TEST(MadeOfAnother, IsExplainedAndOpenUnderItsName) {
 
 TEST(MadeOfAnother, IsFormatted) {
     const auto text = std::make_shared<const SourceText>(
-        "test.cam", "// One.\ncamera a=fisheye( fov=200deg )\ncamera b=a\n");
+        "test.cam",
+        "// One.\ncamera a=fisheye( fov=200deg )\ncamera b=a\n"
+        "camera c(fov=60deg  above 0 to  -1deg+180deg){eye sphere(fov/1rad)}");
     const auto formatted = format(text);
     ASSERT_TRUE(formatted) << to_text(formatted.diagnostics);
-    EXPECT_EQ(*formatted, "// One.\ncamera a = fisheye(fov = 200deg)\n\ncamera b = a\n");
+    EXPECT_EQ(*formatted,
+              "// One.\ncamera a = fisheye(fov = 200deg)\n\ncamera b = a\n\n"
+              "camera c(fov = 60deg above 0 to -1deg + 180deg) {\n    eye sphere(fov/1rad)\n}\n");
 }
 
 }  // namespace

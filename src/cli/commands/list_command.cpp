@@ -148,7 +148,17 @@ Result<std::vector<lang::Description>> built_in_descriptions() {
 nlohmann::json camera_json(const lang::Description& described) {
     nlohmann::json parameters = nlohmann::json::array();
     for (const auto& parameter : described.parameters) {
-        parameters.push_back({{"name", parameter.name}, {"default", parameter.default_text}});
+        nlohmann::json one{{"name", parameter.name}, {"default", parameter.default_text}};
+        if (!parameter.limits_text.empty()) {
+            one["limits"] = parameter.limits_text;
+        }
+        if (std::isfinite(parameter.limits.minimum)) {
+            one["minimum"] = parameter.limits.minimum;
+        }
+        if (std::isfinite(parameter.limits.maximum)) {
+            one["maximum"] = parameter.limits.maximum;
+        }
+        parameters.push_back(std::move(one));
     }
     return {{"name", described.name},       {"kind", described.is_picture ? "picture" : "camera"},
             {"comment", described.comment}, {"keywords", described.keywords},
@@ -170,7 +180,9 @@ std::string first_sentence(const std::string& comment) {
 std::string camera_text(const lang::Description& described, bool whole) {
     std::vector<std::string> parameters;
     for (const auto& parameter : described.parameters) {
-        parameters.push_back(parameter.name + " = " + parameter.default_text);
+        parameters.push_back(fmt::format("{} = {}{}{}", parameter.name, parameter.default_text,
+                                         parameter.limits_text.empty() ? "" : " ",
+                                         parameter.limits_text));
     }
     std::string text = fmt::format("{}{}({})\n", described.is_picture ? "picture " : "",
                                    described.name, fmt::join(parameters, ", "));

@@ -148,7 +148,10 @@ void add_parameters(const Before& before, Candidates& words) {
         const lang::Description& one = (*known)[i];
         if (wanted->name.empty() ? i + 1 == known->size() : one.name == wanted->name) {
             for (const auto& parameter : one.parameters) {
-                words.add(parameter.name + "=", "default " + parameter.default_text);
+                words.add(
+                    parameter.name + "=",
+                    fmt::format("default {}{}{}", parameter.default_text,
+                                parameter.limits_text.empty() ? "" : ", ", parameter.limits_text));
             }
         }
     }

@@ -7,7 +7,9 @@
 
 #include <fmt/format.h>
 
+#include "camera/catalogue/parameter_text.hpp"
 #include "lang/names/evaluate.hpp"
+#include "lang/names/parameter_limits.hpp"
 #include "lang/names/unused_names.hpp"
 
 namespace balcony::lang {
@@ -120,16 +122,20 @@ void DefinitionScope::define_parameters() {
 void DefinitionScope::define_parameter(const DefinitionParameter& parameter) {
     const std::string_view name = parameter.name.text;
     Value value;
+    SourceSpan written = tree_.at(parameter.name.span);
     if (parameter.default_value.valid()) {
         value = evaluate_any(tree_, parameter.default_value, scope_, session_.context());
+        written = tree_.at(tree_[parameter.default_value].span);
     }
-    value = fitted(value, name);
+    value = fitted(value, parameter);
     if (const auto given = values_.find(name); given != values_.end()) {
-        value = checked(given->second->value, given->second->value_place, value, name);
+        written = given->second->value_place;
+        value = checked(given->second->value, written, value, name);
     }
     if (const auto given = overrides_.find(name); given != overrides_.end()) {
-        value = overridden(given->second, value, name);
+        value = overridden(given->second, value, name, written);
     }
+    value = within_limits(value, written, place_, parameter, session_);
     if (session_.scene() && fitted_.contains(name)) {
         session_.note_fitted(place_.name(), name, value, fitted_.follows_place(name));
     }
@@ -142,15 +148,20 @@ void DefinitionScope::define_parameter(const DefinitionParameter& parameter) {
     }
 }
 
-// The value in the scene that the session fits cameras to. Without one, a fit statement is only
-// checked.
-Value DefinitionScope::fitted(const Value& default_value, std::string_view name) {
+// The value in the scene that the session fits cameras to, unless it is beyond the limits of the
+// parameter. Without a scene, a fit statement is only checked.
+Value DefinitionScope::fitted(const Value& default_value, const DefinitionParameter& parameter) {
+    const std::string_view name = parameter.name.text;
     const auto found = fitted_.find(name);
     if (!found) {
         return default_value;
     }
     const Value value = checked(found->value, found->place, default_value, name);
-    return session_.scene() || value.failed() ? value : default_value;
+    const bool is_taken =
+        session_.scene() &&
+        (!value.is_constant() ||
+         camera::contains(limits_of(place_, parameter, session_), value.constant()));
+    return is_taken || value.failed() ? value : default_value;
 }
 
 // An input in the place of a number that does not change.
@@ -166,13 +177,14 @@ Value DefinitionScope::opened(const Value& value, std::string_view name) {
 }
 
 Value DefinitionScope::overridden(const SyntaxTree* tree, const Value& default_value,
-                                  std::string_view name) {
+                                  std::string_view name, SourceSpan& written) {
     if (tree == nullptr) {
         return {};
     }
     const ExpressionId id(tree->expressions.size() - 1);
     const Value value = evaluate_any(*tree, id, scope_, session_.context());
-    return checked(value, tree->at((*tree)[id].span), default_value, name);
+    written = tree->at((*tree)[id].span);
+    return checked(value, written, default_value, name);
 }
 
 // A value with the same form and unit as the default. Otherwise an error is reported and the value

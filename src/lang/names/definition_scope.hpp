@@ -55,12 +55,12 @@ private:
     void read_overrides(const std::vector<Override>& overrides);
     void define_parameters();
     void define_parameter(const DefinitionParameter& parameter);
-    [[nodiscard]] Value fitted(const Value& default_value, std::string_view name);
+    [[nodiscard]] Value fitted(const Value& default_value, const DefinitionParameter& parameter);
     [[nodiscard]] Value opened(const Value& value, std::string_view name);
     void read_values(const std::vector<ParameterValue>& values);
-    /// `tree` is that of the override, null if it has an error.
+    /// `tree` is that of the override, null if it has an error; `written` becomes its place.
     [[nodiscard]] Value overridden(const SyntaxTree* tree, const Value& default_value,
-                                   std::string_view name);
+                                   std::string_view name, SourceSpan& written);
     [[nodiscard]] Value checked(const Value& value, const SourceSpan& span,
                                 const Value& default_value, std::string_view name);
 

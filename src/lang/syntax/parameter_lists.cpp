@@ -1,9 +1,10 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-// The parameters of cameras and pictures, with their defaults.
+// The parameters of cameras and pictures, with their defaults and limits.
 
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 
@@ -27,7 +28,7 @@ void StatementParser::parameters(DefinitionSyntax& camera) {
     }
 }
 
-// fov = 60deg
+// fov = 60deg above 0 to 179deg
 bool StatementParser::parameter(DefinitionSyntax& camera) {
     const auto name = new_name(
         fmt::format("a name for the {}'s parameter", camera.is_picture ? "picture" : "camera"));
@@ -52,7 +53,39 @@ bool StatementParser::parameter(DefinitionSyntax& camera) {
         return false;
     }
     camera.parameters.back().default_value = *value;
-    return true;
+    return limits(camera.parameters.back());
+}
+
+bool StatementParser::limits(DefinitionParameter& parameter) {
+    constexpr std::array<std::string_view, 12> others{"in",      "min",     "max",   "minimum",
+                                                      "maximum", "between", "below", "under",
+                                                      "over",    "from",    "above", "to"};
+    const std::size_t begin = tokens_.peek().span.begin;
+    const auto at = [this](std::string_view word) {
+        return tokens_.peek().is_name(word) && !tokens_.peek(1).is("=");
+    };
+    const auto limit = [this](ExpressionId& read) {
+        tokens_.next();
+        const auto value = expressions_.expression();
+        read = value.value_or(ExpressionId());
+        return value.has_value();
+    };
+    parameter.excludes_minimum = at("above");
+    if (((at("above") || at("from")) && !limit(parameter.minimum)) ||
+        (at("to") && !limit(parameter.maximum))) {
+        return false;
+    }
+    if (parameter.minimum.valid() || parameter.maximum.valid()) {
+        parameter.limits = {begin, tokens_.previous().span.end};
+    }
+    if (std::none_of(others.begin(), others.end(), at)) {
+        return true;
+    }
+    tokens_.expected("',' or ')'",
+                     fmt::format("write limits behind the value: {0} = ... from 1 to 20, or above "
+                                 "0 to 20 where 0 itself is excluded; one of both is enough",
+                                 parameter.name.text));
+    return false;
 }
 
 // Skips to the camera's opening brace. Parameters on the way are recorded, so that their uses are

@@ -38,6 +38,7 @@ public:
 
 private:
     [[nodiscard]] bool parameter(DefinitionSyntax& camera);
+    [[nodiscard]] bool limits(DefinitionParameter& parameter);
     void skip_parameters(DefinitionSyntax& camera);
     [[nodiscard]] StatementKind unknown_statement(Block block);
     void misplaced_statement(const StatementRow& row, Block block);

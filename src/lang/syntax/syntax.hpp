@@ -169,9 +169,14 @@ struct Import {
     bool broken = false;  ///< It has a syntax error, which is reported.
 };
 
+/// name = value above minimum to maximum; either limit may be missing.
 struct DefinitionParameter {
     Identifier name;
     ExpressionId default_value{};  ///< Invalid after a syntax error.
+    ExpressionId minimum{};
+    ExpressionId maximum{};
+    bool excludes_minimum = false;  ///< `above` instead of `from`.
+    Span limits{};                  ///< Of both, with their words.
 };
 
 /// A camera or a picture.

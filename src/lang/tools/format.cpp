@@ -86,7 +86,7 @@ Role role_of(const Token& token, const Token* previous, bool previous_is_keyword
 struct Previous {
     const Token* token = nullptr;
     Role role = Role::plain;
-    bool keyword = false;  // The word that starts a statement.
+    bool keyword = false;  // The word that starts a statement, or one between operands.
 };
 
 bool space_before(const Token& token, Role role, const Previous& previous) {
@@ -204,7 +204,10 @@ private:
         // Some statements are written as a call; others have their content after a space.
         const bool call = is_call(find_statement(token, Block::picture)) ||
                           is_call(find_statement(token, Block::camera));
-        previous_ = {&token, role, first && !call};
+        // A word behind an operand, such as `from` of limits, is no operand.
+        const bool word = token.kind == TokenKind::name && previous_.token != nullptr &&
+                          ends_operand(*previous_.token) && !previous_.keyword;
+        previous_ = {&token, role, (first && !call) || word};
         if (token.is("{")) {
             ++depth_;
             lines_.back().opens_block = true;

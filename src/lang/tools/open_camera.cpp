@@ -12,6 +12,8 @@
 
 #include <fmt/format.h>
 
+#include "lang/names/parameter_limits.hpp"
+
 namespace balcony::lang {
 
 std::string parameter_input(std::string_view parameter) {
@@ -113,7 +115,7 @@ std::string default_text(const ResolvedLayer& found, const DefinitionParameter& 
 }
 
 OpenAttempt open_attempt(camera::Picture picture, const ResolvedLayer& found,
-                         const std::vector<Value>& values) {
+                         const std::vector<Value>& values, Session& session) {
     OpenAttempt made{std::move(picture), {}, {}};
     for (std::size_t i = 0; i < values.size(); ++i) {
         const DefinitionParameter& parameter = found.place.camera->parameters[i];
@@ -126,8 +128,8 @@ OpenAttempt open_attempt(camera::Picture picture, const ResolvedLayer& found,
         for (const Override& given : found.given.overrides) {
             written = given.name == name ? given.expression : written;
         }
-        made.numbers.push_back(
-            {name, written, values[i].constant(), values[i].unit == Unit::angle});
+        made.numbers.push_back({name, written, values[i].constant(), values[i].unit == Unit::angle,
+                                limits_of(found.place, parameter, session)});
     }
     return made;
 }

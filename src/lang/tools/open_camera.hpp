@@ -28,7 +28,7 @@ using MakeOpen = std::function<Result<OpenAttempt>(const std::vector<std::string
 
 /// The parameters of a definition, sorted by what they are.
 [[nodiscard]] OpenAttempt open_attempt(camera::Picture picture, const ResolvedLayer& found,
-                                       const std::vector<Value>& values);
+                                       const std::vector<Value>& values, Session& session);
 
 /// The source text of a parameter's value: that of its base, or else its default.
 [[nodiscard]] std::string default_text(const ResolvedLayer& found,
