@@ -22,9 +22,11 @@ std::pair<std::size_t, std::size_t> SizeRequest::resolve(
     }
     precondition(aspect > 0.0 && std::isfinite(aspect), "an aspect is positive and finite");
     constexpr double default_pixels = 1280.0 * 720.0;
+    // An aspect that was computed may miss a half by rounding.
+    constexpr double slack = 1e-9;
     const auto side = [](double pixels) {
         return static_cast<std::size_t>(
-            std::clamp(std::round(pixels), 1.0, static_cast<double>(max_side)));
+            std::clamp(std::round(pixels + slack), 1.0, static_cast<double>(max_side)));
     };
     const std::size_t wide = width.value_or(
         side(height ? static_cast<double>(*height) * aspect : std::sqrt(default_pixels * aspect)));

@@ -147,6 +147,21 @@ class TrueScale(support.CommandTest):
         out, _ = self.run_command("check", "panorama", "--scene", "column.ply")
         self.assertNotIn("\n  scale ", out)
 
+    def test_plans_and_elevations_are_to_scale(self):
+        facts = self.json_of("render", "room.glb", "--camera", "orthographic", "--set", "width=4",
+                             "--set", "height=3", "--mm-per-pixel", "50", "--samples", "1",
+                             "-o", "plan.png")
+        self.assertEqual((facts["width"], facts["height"]), (80, 60))
+        scale = self.json_of("check", "orthographic", "--scene", "room.glb", "--set", "width=4",
+                             "--width", "80")["files"][0]["reports"][0]["in_scene"]["scale"]
+        self.assertAlmostEqual(scale["nominal"], 50)
+        # The same pictures as of a camera without a height.
+        for width, height in ((24, 14), (200, 113), (1464, 824)):
+            for side in ("3", "3.7", "0.0231"):
+                out = self.json_of("check", "orthographic", "--set", f"width={side}", "--width",
+                                   str(width))["files"][0]["reports"][0]
+                self.assertEqual(out["height"], height)
+
     def test_a_scale_bar_has_its_length(self):
         write_ply(self.folder / "column.ply",
                   [[(*leaning(50 * math.cos(a / 20), 50 * math.sin(a / 20), z), 240)

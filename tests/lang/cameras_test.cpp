@@ -92,6 +92,19 @@ TEST(StandardCameras, OrthographicRaysAreParallel) {
     expect_near(corner.direction, {1, 0, 0});
 }
 
+// As wide as any camera that takes every aspect.
+TEST(StandardCameras, OrthographicHasAScaleAndAnyAspect) {
+    for (const char* width : {"10", "3.7", "0.0231"}) {
+        const camera::Camera camera = standard("orthographic", {{"width", width}});
+        ASSERT_TRUE(camera.parts().sides);
+        EXPECT_EQ((*camera.parts().sides)[0], std::stod(width));
+        EXPECT_NEAR(camera.parts().aspect, camera::default_aspect, 1e-15);
+        EXPECT_FALSE(camera.fixed_aspect());
+    }
+    const camera::Camera tower = standard("orthographic", {{"width", "4"}, {"height", "9"}});
+    EXPECT_EQ(*tower.parts().sides, (std::array{4.0, 9.0}));
+}
+
 TEST(StandardCameras, PanoramaIsEquirectangular) {
     const camera::Camera camera = standard("panorama");
     for (double x = 5; x < 200; x += 30) {
