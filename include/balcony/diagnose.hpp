@@ -108,6 +108,9 @@ struct Sample {
     double magnification = 0.0;    ///< 0 where there is no ray, or where it is singular.
     double anisotropy = 0.0;       ///< The same.
     double origin_distance = 0.0;  ///< Distance of the origin from the centre of all origins.
+    /// By how much a pixel is longer on the surface than the camera's scale says: 0.1 is a tenth.
+    /// diagnose() knows no surfaces; render::scale_errors() does.
+    std::optional<double> scale_error{};
 };
 
 struct CameraReport {
@@ -143,6 +146,7 @@ enum class MapKind : std::uint8_t {
     seams,
     repeated,
     origins,
+    scale,  ///< Sample::scale_error.
 };
 
 [[nodiscard]] Names<MapKind> map_kinds();

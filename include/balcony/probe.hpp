@@ -22,6 +22,7 @@
 #include "balcony/base.hpp"
 #include "balcony/camera.hpp"
 #include "balcony/progress.hpp"
+#include "balcony/rays.hpp"
 #include "balcony/render.hpp"
 #include "balcony/scene.hpp"
 
@@ -68,6 +69,14 @@ struct SurfaceScale {
                                                                 const camera::Camera& camera,
                                                                 const ProbeSettings& settings,
                                                                 const std::stop_token& stop = {});
+
+/// By how much a pixel is longer on the surfaces than it should be, at the points of a grid of the
+/// picture, row by row: 0.1 is a tenth. In each point, the direction in the picture with the
+/// largest error counts. `pixel` is the length that is right, in scene units. Nothing where a ray
+/// or its neighbours in the grid meet nothing.
+[[nodiscard]] Result<std::vector<std::optional<double>>> scale_errors(
+    const Renderer& renderer, const camera::Camera& camera, const ProbeSettings& settings,
+    const rays::Tile& grid, double pixel, const std::stop_token& stop = {});
 
 /// Transparent surfaces count as visible, and so do those behind them.
 [[nodiscard]] Result<Probe> probe(const Renderer& renderer, const camera::Camera& camera,

@@ -152,6 +152,30 @@ TEST(FalseColor, TheScaleExcludesOnePercentAtEachEnd) {
     EXPECT_EQ(color_of(false_color(report, MapKind::magnification), 7), narrow.color(5.0));
 }
 
+TEST(FalseColor, AScaleThatIsTrueHasTheMiddleColour) {
+    // From -50 to 149 percent, of which the largest fiftieth is left out.
+    const CameraReport report = report_of([](std::size_t i, Sample& sample) {
+        sample.valid = i != 0;
+        if (i > 1) {
+            sample.scale_error = (static_cast<double>(i) - 50.0) / 100.0;
+        }
+    });
+    const Image image = false_color(report, MapKind::scale);
+    const ColorScale scale(-146.0, 146.0, Spacing::linear);
+    for (const std::size_t i : {2, 20, 50, 100, 196, 199}) {
+        EXPECT_EQ(color_of(image, i), scale.color(static_cast<double>(i) - 50.0)) << i;
+    }
+    EXPECT_EQ(color_of(image, 0), (Color{128, 128, 128}));
+    EXPECT_EQ(color_of(image, 1), (Color{205, 205, 205}));
+    // Rounding errors do not look like errors, but may turn a colour to the next.
+    const CameraReport exact = report_of(
+        [](std::size_t i, Sample& sample) { sample.scale_error = i % 2 == 0 ? 1e-9 : -1e-9; });
+    const Image one_color = false_color(exact, MapKind::scale);
+    for (std::size_t k = 0; k < 3; ++k) {
+        EXPECT_NEAR(color_of(one_color, 0)[k], color_of(one_color, 1)[k], 1);
+    }
+}
+
 TEST(FalseColor, SingularSamplesAreNotOfTheScale) {
     const CameraReport report = report_of([](std::size_t i, Sample& sample) {
         sample.singular = i % 2 == 1;

@@ -270,6 +270,10 @@ camera with { map u = 1 .. -1, v = square eye point toward plane((1, 0, 0)) lens
     def test_mistakes(self):
         one = ("check", "two.cam:front")
         self.refused(*one, "--map", "seam", "a.png", code=2, says="'seam'", helps="'seams'")
+        self.refused(*one, "--map", "scale", "a.png", code=2, says="needs a scene",
+                     helps="--scene")
+        self.refused(*one, "--map", "scale", "a.png", "--scene", "scene.obj", code=2,
+                     says="--map scale: 'front' has no scale", helps="aspect (WIDTH, HEIGHT)")
         self.refused(*one, "--map", "seams", "a.gif", code=2, says="'a.gif'", helps=".png")
         self.refused("check", "two.cam", "--map", "seams", "a.png", code=2, says="several",
                      helps="two.cam:NAME")

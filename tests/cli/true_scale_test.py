@@ -147,6 +147,22 @@ class TrueScale(support.CommandTest):
         out, _ = self.run_command("check", "panorama", "--scene", "column.ply")
         self.assertNotIn("\n  scale ", out)
 
+    def test_a_map_shows_where_the_scale_errs(self):
+        # A cone of the radius 30 in the middle, which widens upwards.
+        rows = [[((30 + z / 5) * math.cos(a / 40), (30 + z / 5) * math.sin(a / 40), z, 200)
+                 for a in range(252)] for z in range(-50, 51, 2)]
+        write_ply(self.folder / "cone.ply", rows, True)
+        self.run_command("check", "rollout", "--scene", "cone.ply", "--width", "600", "--set",
+                         "radius=30", "--set", "tilt=0deg", "--set", "distance=30",
+                         "--map", "scale", "scale.png")
+        _, _, rows = support.png_pixels(self.folder / "scale.png", (8, 2))
+        # Zero is the middle colour; below the middle the surface is smaller, which is darker.
+        x = len(rows[0]) // 2
+        bright = [sum(row[x]) for row in rows]
+        strip = next(y for y, value in enumerate(bright) if value == 3 * 255)
+        self.assertGreater(bright[strip // 8], bright[strip // 2])
+        self.assertGreater(bright[strip // 2], bright[strip * 7 // 8])
+
     def test_plans_and_elevations_are_to_scale(self):
         facts = self.json_of("render", "room.glb", "--camera", "orthographic", "--set", "width=4",
                              "--set", "height=3", "--mm-per-pixel", "50", "--samples", "1",

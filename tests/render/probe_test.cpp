@@ -159,5 +159,35 @@ TEST(Probe, OnlyClosedOutwardFacingObjectsHaveAnInside) {
     EXPECT_TRUE(found.objects[1].seen);
 }
 
+// A slope that rises by 3 in 4 to the right, from -1 to 1, and a smaller plate across the rays
+// before it. Floats at a distance of 3 are exact to 2.4e-7, and neighbours are 0.125 apart.
+TEST(ScaleErrors, AreThoseOfTheSurfaceAlsoBesideItsEdges) {
+    scene::Scene scene;
+    add(scene, parallelogram({-1.0F, -1.0F, -4.0F}, {2.0F, 0.0F, 1.5F}, {0.0F, 1.8F, 0.0F}),
+        white());
+    add(scene, wall(-2.0F, 0.4F), white());
+    const rays::Tile grid{4.0, 4.0, 8.0, 16, 16};
+    const auto errors = scale_errors(renderer_of(scene), orthographic(view_down_z(0.0, 0.0, 0.0)),
+                                     {.width = 128, .height = 128}, grid, 2.0 / 128.0);
+    ASSERT_TRUE(errors) << to_text(errors.diagnostics);
+    ASSERT_EQ(errors->size(), 256U);
+    for (std::size_t i = 0; i < errors->size(); ++i) {
+        const double x = (grid.column(i % 16) - 64.0) / 64.0;
+        const double y = (64.0 - grid.row(i / 16)) / 64.0;
+        const std::optional<double>& error = (*errors)[i];
+        ASSERT_EQ(error.has_value(), y < 0.8) << x << " " << y;
+        if (error) {
+            const bool on_plate = std::max(std::abs(x), std::abs(y)) < 0.4;
+            EXPECT_NEAR(*error, on_plate ? 0.0 : 0.25, 1e-5) << x << " " << y;
+        }
+    }
+    // The direction with the largest error counts: half of what a pixel should be is the larger
+    // one.
+    const auto larger = scale_errors(renderer_of(scene), orthographic(view_down_z(0.0, 0.0, 0.0)),
+                                     {.width = 128, .height = 128}, grid, 4.0 / 128.0);
+    ASSERT_TRUE(larger) << to_text(larger.diagnostics);
+    EXPECT_NEAR(*larger->back(), -0.5, 1e-5);
+}
+
 }  // namespace
 }  // namespace balcony::render::probe_test

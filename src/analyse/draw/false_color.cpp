@@ -19,6 +19,7 @@ constexpr Color white{255, 255, 255};
 constexpr Color black{0, 0, 0};
 constexpr Color no_ray_color{128, 128, 128};
 constexpr Color singular_color{200, 30, 110};
+constexpr Color no_surface_color{205, 205, 205};
 
 /// A colour and its meaning.
 struct Swatch {
@@ -85,6 +86,31 @@ Design anisotropy(const CameraReport& report) {
 Design origins(const CameraReport& report) {
     return scaled(report, "distance of the ray origins from their centre", &Sample::origin_distance,
                   ColorScale::Spacing::linear);
+}
+
+// Zero is in the middle of the scale: what is shorter is darker, and what is longer brighter.
+Design scale(const CameraReport& report) {
+    constexpr double percent = 100.0;
+    constexpr double least = 0.1;  // So that rounding errors do not fill the scale.
+    constexpr std::size_t fiftieth = 50;
+    std::vector<double> sizes;
+    for (const Sample& sample : report.samples) {
+        if (sample.scale_error) {
+            sizes.push_back(percent * std::abs(*sample.scale_error));
+        }
+    }
+    std::sort(sizes.begin(), sizes.end());
+    const double most =
+        sizes.empty() ? least : std::max(least, sizes[sizes.size() - 1 - sizes.size() / fiftieth]);
+    const ColorScale colors(-most, most, ColorScale::Spacing::linear);
+    return {"error of the scale: percent by which a pixel is longer on the surface",
+            [colors](const Sample& sample) {
+                return !sample.valid         ? no_ray_color
+                       : !sample.scale_error ? no_surface_color
+                                             : colors.color(percent * *sample.scale_error);
+            },
+            colors,
+            {{no_ray_color, "no ray"}, {no_surface_color, "no surface"}}};
 }
 
 Design orientation(const CameraReport&) {
@@ -156,6 +182,7 @@ Design design_of(const CameraReport& report, MapKind kind) {
         case MapKind::seams: return seams(report);
         case MapKind::repeated: return repeated(report);
         case MapKind::origins: return origins(report);
+        case MapKind::scale: return scale(report);
     }
     return {};
 }
@@ -240,6 +267,7 @@ Names<MapKind> map_kinds() {
         Named{MapKind::seams, "seams", "where rays jump"},
         Named{MapKind::repeated, "repeated", "how often the picture shows the same view"},
         Named{MapKind::origins, "origins", "distance of the ray origins from their centre"},
+        Named{MapKind::scale, "scale", "how true the scale is on the surfaces of --scene"},
     };
     return Names<MapKind>(rows);
 }

@@ -18,6 +18,16 @@ void set_unit(scene::Scene& scene, const std::optional<double>& meters_per_unit)
     }
 }
 
+Diagnostic no_scale(std::string_view option, const std::string& name) {
+    return error(Kind::usage,
+                 fmt::format("{}: '{}' has no scale, as nothing says how large its picture is in "
+                             "the scene",
+                             option, name),
+                 "take rollout, rollout_profile, cylinder, orthographic, street_strip or "
+                 "pushbroom, or write the sides of the picture in scene units: aspect (WIDTH, "
+                 "HEIGHT)");
+}
+
 Result<camera::Picture> at_true_scale(const Request& request, const scene::Scene& scene,
                                       camera::Picture picture) {
     if (!request.mm_per_pixel) {
@@ -25,12 +35,7 @@ Result<camera::Picture> at_true_scale(const Request& request, const scene::Scene
     }
     const auto sides = picture.sides();
     if (!sides) {
-        return error(Kind::usage,
-                     fmt::format("--mm-per-pixel: '{}' has no scale, as nothing says how large its "
-                                 "picture is in the scene",
-                                 picture.name()),
-                     "take rollout, rollout_profile, cylinder, street_strip or pushbroom, or write "
-                     "the sides of the picture in scene units: aspect (WIDTH, HEIGHT)");
+        return no_scale("--mm-per-pixel", picture.name());
     }
     if (!scene.has_unit) {
         return error(

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <string_view>
 
 #include "balcony/picture.hpp"
 #include "balcony/request.hpp"
@@ -12,6 +14,9 @@ namespace balcony::app {
 
 /// The unit that a request gives a scene, if it gives one.
 void set_unit(scene::Scene& scene, const std::optional<double>& meters_per_unit);
+
+/// That a picture or camera has no scale, which an option needs.
+[[nodiscard]] Diagnostic no_scale(std::string_view option, const std::string& name);
 
 /// A picture in the size that Request::mm_per_pixel says, if it says one. It is an error if the
 /// picture has no scale, or the scene no unit.

@@ -33,6 +33,11 @@ struct Subjects {
     Result<std::vector<CheckSubject>> cameras;
 };
 
+bool shows_scale(std::span<const MapFile> maps) {
+    return std::any_of(maps.begin(), maps.end(),
+                       [](const MapFile& map) { return map.kind == analyse::MapKind::scale; });
+}
+
 // Whether two names, which need not exist yet, refer to the same file, like a.png and ./a.png.
 bool lead_to_one_file(const fs::path& a, const fs::path& b) {
     std::error_code failed;
@@ -40,9 +45,13 @@ bool lead_to_one_file(const fs::path& a, const fs::path& b) {
     return !failed && place == fs::weakly_canonical(fs::absolute(b, failed), failed);
 }
 
-// What is wrong with the files of maps before anything is read.
-Diagnostics check_maps(std::span<const MapFile> maps) {
+// What is wrong with the maps before anything is read.
+Diagnostics check_maps(std::span<const MapFile> maps, bool has_scene) {
     Diagnostics found;
+    if (shows_scale(maps) && !has_scene) {
+        found.push_back(error(Kind::usage, "--map scale needs a scene, whose surfaces it shows",
+                              "add --scene FILE"));
+    }
     for (std::size_t i = 0; i < maps.size(); ++i) {
         const fs::path& file = maps[i].file;
         if (render::display_format(file) == nullptr) {
@@ -72,11 +81,14 @@ Diagnostics check_overwrites(std::span<const MapFile> maps, std::span<const fs::
     return {};
 }
 
-// A map shows one camera. Other mistakes are found when the cameras are analysed.
-Diagnostics check_one_camera(std::span<const Subjects> all) {
+// A map shows one camera, and that of the scale one which has a scale. Other mistakes are found
+// when the cameras are analysed.
+Diagnostics check_one_camera(std::span<const Subjects> all, bool wants_scale) {
     const Subjects& first = all.front();
     if (all.size() == 1 && (!first.cameras || first.cameras->size() == 1)) {
-        return {};
+        return !first.cameras || !wants_scale || first.cameras->front().camera.parts().sides
+                   ? Diagnostics{}
+                   : Diagnostics{no_scale("--map scale", first.cameras->front().camera.name())};
     }
     std::vector<std::string> choice;
     for (std::size_t i = 0; first.cameras && i < first.cameras->size(); ++i) {
@@ -121,7 +133,7 @@ public:
     CheckReport operator()() {
         Diagnostics usage = check_size(request_.size);
         app::add(usage, check_unit(request_.meters_per_unit));
-        app::add(usage, check_maps(request_.maps));
+        app::add(usage, check_maps(request_.maps, !request_.scene.empty()));
         app::add(usage, check_placement(request_.placement, !request_.scene.empty()));
         if (!request_.layer.empty() && request_.files.size() > 1) {
             usage.push_back(error(Kind::usage,
@@ -138,7 +150,7 @@ public:
                            check_subjects(argument, request_, workspace_)});
         }
         if (!request_.maps.empty()) {
-            add(check_one_camera(all));
+            add(check_one_camera(all, shows_scale(request_.maps)));
             add(check_overwrites(request_.maps, workspace_.files()));
         }
         if (is_fine() && !request_.scene.empty()) {
@@ -248,6 +260,9 @@ private:
         }
         check.report = std::move(*report);
         Diagnostics of_maps;
+        if (shows_scale(request_.maps)) {
+            of_maps = measure_scale_errors(subject, check.report);
+        }
         for (const MapFile& map : request_.maps) {
             const Diagnostics found = write_map(check.report, map);
             if (!has_errors(found)) {
@@ -260,6 +275,31 @@ private:
             observer_.camera(file.checks.back());
         }
         add(of_maps);
+    }
+
+    // The length of a pixel by the camera's scale, in scene units.
+    static double nominal_scale(const CheckSubject& subject) {
+        return (*subject.camera.parts().sides)[0] / subject.width;
+    }
+
+    // Adds them to the samples.
+    [[nodiscard]] Diagnostics measure_scale_errors(const CheckSubject& subject,
+                                                   analyse::CameraReport& report) const {
+        const analyse::SampleGrid& grid = report.grid;
+        const auto errors = render::scale_errors(
+            *renderer_, subject.camera, probe_settings(subject),
+            {grid.first().x, grid.first().y, grid.step, grid.columns, grid.rows, request_.time},
+            nominal_scale(subject), stop_);
+        for (std::size_t i = 0; errors && i < errors->size(); ++i) {
+            report.samples[i].scale_error = (*errors)[i];
+        }
+        return errors.diagnostics;
+    }
+
+    [[nodiscard]] render::ProbeSettings probe_settings(const CheckSubject& subject) const {
+        return {.width = static_cast<std::size_t>(subject.width),
+                .height = static_cast<std::size_t>(subject.height),
+                .time = request_.time};
     }
 
     // False if that is not possible.
@@ -284,17 +324,12 @@ private:
     [[nodiscard]] std::optional<CameraCheck::InScene::Scale> scale_of(
         const CheckSubject& subject) const {
         const auto measured =
-            render::measure_scale(*renderer_, subject.camera,
-                                  {.width = static_cast<std::size_t>(subject.width),
-                                   .height = static_cast<std::size_t>(subject.height),
-                                   .time = request_.time},
-                                  stop_);
+            render::measure_scale(*renderer_, subject.camera, probe_settings(subject), stop_);
         if (!measured || !*measured) {
             return std::nullopt;
         }
         const double unit = scene_->has_unit ? 1000.0 * scene_->meters_per_unit : 1.0;
-        CameraCheck::InScene::Scale scale{scene_->has_unit,
-                                          unit * (*subject.camera.parts().sides)[0] / subject.width,
+        CameraCheck::InScene::Scale scale{scene_->has_unit, unit * nominal_scale(subject),
                                           **measured};
         for (render::SurfaceScale::Range* range : {&scale.surface.across, &scale.surface.upwards}) {
             range->least *= unit;
@@ -327,11 +362,7 @@ private:
 
     void explain_empty_view(const CheckSubject& subject, CameraCheck::InScene& found) const {
         const Result<render::Miss> miss =
-            render::explain_miss(*renderer_, subject.camera,
-                                 {.width = static_cast<std::size_t>(subject.width),
-                                  .height = static_cast<std::size_t>(subject.height),
-                                  .time = request_.time},
-                                 stop_);
+            render::explain_miss(*renderer_, subject.camera, probe_settings(subject), stop_);
         if (miss && found.never_seen.size() == scene_->objects.size()) {
             found.miss = miss_text(*miss, subject.camera);
         }
