@@ -26,6 +26,14 @@ inline constexpr std::size_t max_frame = 9'999'999;
 /// programs and render farms write them; nothing if the text is none of these.
 [[nodiscard]] std::optional<FrameNumbers> frame_numbers_of(std::string_view text);
 
+/// The same for a film, of which one number is the length: "48" are the frames from 1 to 48.
+[[nodiscard]] std::optional<FrameNumbers> frames_of_film(std::string_view text);
+
+/// The time of a frame in seconds, if frame 1 is at `start`.
+[[nodiscard]] inline double time_of(std::size_t frame, double start, const FrameRate& rate) {
+    return start + (static_cast<double>(frame) - 1.0) * rate.frame_time();
+}
+
 /// The shortest such text: "1-4,7".
 [[nodiscard]] std::string text_of(std::span<const std::size_t> frames);
 
@@ -69,6 +77,16 @@ struct FilmRequest {
 /// The frames of a film are in a folder beside it until it is complete.
 [[nodiscard]] FramePattern pattern_of_film(const std::filesystem::path& film);
 
+/// Where frames go.
+struct FrameOutput {
+    FramePattern pattern{};             ///< Of the frames' files.
+    std::optional<FilmRequest> film{};  ///< That the frames become.
+};
+
+/// By the name of a film, or of a sequence with # for the number of the frame; an error of
+/// Kind::usage if it is neither.
+[[nodiscard]] Result<FrameOutput> frame_output_of(const std::string& output);
+
 /// The frames of an animation.
 struct AnimationRequest {
     /// Of each frame, but for its time and its output.
@@ -88,7 +106,7 @@ struct AnimationRequest {
 
     /// Of the frames, in seconds.
     [[nodiscard]] double time_of(std::size_t frame) const {
-        return start_time + (static_cast<double>(frame) - 1.0) * picture.shutter.rate.frame_time();
+        return app::time_of(frame, start_time, picture.shutter.rate);
     }
 };
 

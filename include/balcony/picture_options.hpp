@@ -57,6 +57,11 @@ namespace balcony::app {
 /// The name of a unit of length, in metres.
 [[nodiscard]] Value<double> unit_of_length();
 
+/// Frames as frame_numbers_of() reads them.
+[[nodiscard]] Value<FrameNumbers> frame_numbers();
+/// A number, or a fraction such as 30000/1001.
+[[nodiscard]] Value<FrameRate> frames_per_second();
+
 /// --time in seconds, at the end of a path of members.
 template <class Target, class First, class... More>
 [[nodiscard]] Option<Target> time_option(double largest, First Target::*first, More... more) {

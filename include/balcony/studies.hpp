@@ -6,7 +6,7 @@
 // looks from outside.
 //
 //     check(CheckRequest) ─▶ CheckReport        locate(LocateRequest), LocateSession ─▶ Located
-//     draw(DrawRequest)   ─▶ a file
+//     draw(DrawRequest)   ─▶ a file             draw_film(DrawFilmRequest) ─▶ a film, or files
 //
 // Cameras are named as in Request::camera, but not those of a scene, unless it says so. A stop ends
 // each of these with an error of Kind::interrupted.
@@ -20,6 +20,7 @@
 #include <string>
 #include <vector>
 
+#include "balcony/animation.hpp"
 #include "balcony/diagnose.hpp"
 #include "balcony/drawing.hpp"
 #include "balcony/inputs.hpp"
@@ -189,5 +190,20 @@ struct DrawRequest {
 
 /// Draws a camera, or the cameras of a picture, to a file, which is complete or unchanged.
 [[nodiscard]] Diagnostics draw(const DrawRequest& request, const std::stop_token& stop = {});
+
+/// Drawings of a camera at the times of the frames of a film.
+struct DrawFilmRequest {
+    /// Of each frame, but for its output. Its time is that of frame 1. Without Depiction::film, the
+    /// frame of reference is that of the times of all frames.
+    DrawRequest drawing{};
+    FrameNumbers frames{};  ///< At least one.
+    FrameRate rate{};
+    FrameOutput output{};
+};
+
+/// Draws all frames, and makes the film of them. Files that are there are replaced, but not the
+/// frames of a film that animate() has begun.
+[[nodiscard]] Diagnostics draw_film(const DrawFilmRequest& request, const Observer& observer = {},
+                                    const std::stop_token& stop = {});
 
 }  // namespace balcony::app

@@ -57,7 +57,7 @@ class Documentation(support.CommandTest):
                 small = size if words[0] == "blend" else small
                 if words[0] == "merge" and words[1].endswith(".mp4") and not shutil.which("ffmpeg"):
                     continue
-                if words[0] == "animate":
+                if words[0] == "animate" or (words[0] == "draw" and "--frames" in words):
                     small += self.short_film(words)
                 if "--watch" in words:
                     self.watch(*words, *small)

@@ -2,8 +2,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """balcony draw: pictures and scenes of cameras, and errors."""
 
+import json
+import shutil
 import signal
+import subprocess
 import time
+import unittest
 import xml.etree.ElementTree as ElementTree
 
 import support
@@ -105,6 +109,59 @@ class Draw(support.CommandTest):
                          axes("--time", "1", "--during", "0,1"))
         self.assertNotEqual(axes("--time", "0"), axes("--time", "1"))
 
+    def test_a_film_has_a_drawing_for_each_frame(self):
+        (self.folder / "fly.cam").write_text(
+            "camera c { map u = 1 .. -1, v = square eye sphere(1) move translate(9*t, 0, 0) }")
+        words = ("draw", "fly.cam", "--size", "96x72", "--rays", "0")
+        out, _ = self.run_command(*words, "--frames", "3-7x2", "--time", "1", "--fps", "4",
+                                  "-o", "f.##.svg")
+        self.assertIn("f.##.svg: frames 3,5,7 drawn", out)
+        self.assertEqual([name for name in self.files() if name.startswith("f.")],
+                         ["f.03.svg", "f.05.svg", "f.07.svg"])
+        # Frame 1 is at --time, so frame 5 is at 1 + 4/4.
+        self.run_command(*words, "--time", "2", "--during", "1.5,2.5", "-o", "one.svg")
+        self.assertEqual((self.folder / "one.svg").read_bytes(),
+                         (self.folder / "f.05.svg").read_bytes())
+        self.run_command(*words, "--frames", "1-3", "--during", "0,9", "-o", "g.#.svg")
+        self.run_command(*words, "--time", "0", "--during", "0,9", "-o", "one.svg")
+        self.assertEqual((self.folder / "one.svg").read_bytes(),
+                         (self.folder / "g.1.svg").read_bytes())
+        self.refused(*words, "--frames", "3", "-o", "f.svg", code=2, says="'f.svg' has no #")
+        self.refused(*words, "-o", "f.mp4", code=2, says="nothing tells how many frames",
+                     helps="--frames 48")
+        (self.folder / "c.1.svg").write_bytes((self.folder / "fly.cam").read_bytes())
+        self.refused("draw", "c.1.svg:c", "--frames", "1", "-o", "c.#.svg", code=2,
+                     says="'c.1.svg' is read here and would be overwritten")
+
+    @unittest.skipUnless(shutil.which("ffmpeg"), "ffmpeg is not installed")
+    def test_a_film_of_drawings(self):
+        words = ("draw", "walkthrough", "--size", "96x72", "-o", "film.gif")
+        self.run_command(*words, "--frames", "4", "--fps", "10")
+        self.assertNotIn("film.gif.frames", self.files())
+        probed = subprocess.run(
+            ["ffprobe", "-v", "error", "-count_frames", "-show_streams", "-of", "json", "film.gif"],
+            cwd=self.folder, capture_output=True, check=True)
+        stream = json.loads(probed.stdout)["streams"][0]
+        self.assertEqual((stream["width"], stream["height"], stream["nb_read_frames"],
+                          stream["r_frame_rate"]), (96, 72, "4", "10/1"))
+        # A film that animate has begun is not touched.
+        frames = self.folder / "film.gif.frames"
+        frames.mkdir()
+        (frames / "frame.#####.png.animation").write_text("{}")
+        self.refused(*words, "--frames", "4", code=1, says="an animation that is not finished")
+        self.assertTrue((frames / "frame.#####.png.animation").exists())
+
+    def test_a_stopped_film_leaves_nothing(self):
+        (self.folder / "hang.cam").write_text(
+            "camera c { map u = -1e9 .. 1e9, v = -0.5 .. 0.5 eye sphere(1) look normal }")
+        process = self.start("draw", "hang.cam", "-o", "c.mp4", "--size", "4096x4096",
+                             "--frames", "99")
+        time.sleep(0.5)
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 130)
+        self.assertEqual([name for name in self.files() if name.startswith("c.")], [])
+
     def test_poster(self):
         self.run_command("draw", "pinhole", "--explain", "-o", "class.svg")
         root = ElementTree.parse(self.folder / "class.svg").getroot()
@@ -147,7 +204,7 @@ class Draw(support.CommandTest):
     def test_refusals(self):
         before = self.files()
         for words, code, says in (
-                (("pinhole", "-o", "p.gif"), 2, "is not a drawing format"),
+                (("pinhole", "-o", "p.bmp"), 2, "is not a drawing format"),
                 (("pinhole", "-o", "no/p.svg"), 3, "there is no folder"),
                 (("pinhole", "-o", "p.svg", "--rays", "many"), 2, "--rays cannot be 'many'"),
                 (("pinhole", "-o", "p.svg", "--view", "90"), 2, "--view cannot be '90'"),

@@ -137,16 +137,6 @@ Diagnostics check_stereo(const Request& request, const scene::Scene& scene) {
                : Diagnostics{};
 }
 
-Diagnostics check_inputs(const FramePattern& pattern, const std::vector<fs::path>& inputs) {
-    Diagnostics found;
-    for (const fs::path& input : inputs) {
-        if (const auto frame = pattern.number_of_file(input.filename().string())) {
-            add(found, check_overwrites(pattern.file(*frame), std::array{input}));
-        }
-    }
-    return found;
-}
-
 // Everything before the first frame.
 struct Prepared {
     Loaded loaded;

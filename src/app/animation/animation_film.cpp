@@ -3,6 +3,7 @@
 
 #include "app/animation/animation_film.hpp"
 
+#include <array>
 #include <system_error>
 #include <vector>
 
@@ -12,15 +13,23 @@
 #include "app/animation/frame_record.hpp"
 #include "app/words.hpp"
 #include "balcony/input_file.hpp"
+#include "balcony/inputs.hpp"
 
 namespace balcony::app {
 
-namespace {
-
 namespace fs = std::filesystem;
 
-// Nothing but what this program has written there.
-void remove_all(const FramePattern& pattern) {
+Diagnostics check_inputs(const FramePattern& pattern, const std::vector<fs::path>& inputs) {
+    Diagnostics found;
+    for (const fs::path& input : inputs) {
+        if (const auto frame = pattern.number_of_file(input.filename().string())) {
+            add(found, check_overwrites(pattern.file(*frame), std::array{input}));
+        }
+    }
+    return found;
+}
+
+void remove_frame_files(const FramePattern& pattern) {
     std::error_code ignored;
     for (const std::string& name : names_in(pattern.folder())) {
         const std::size_t extension = name.find(".png");
@@ -32,8 +41,6 @@ void remove_all(const FramePattern& pattern) {
     fs::remove(record_file(pattern), ignored);
     fs::remove(pattern.folder(), ignored);
 }
-
-}  // namespace
 
 Diagnostics make_film_folder(const FilmRequest& film) {
     const fs::path folder = pattern_of_film(film.file).folder();
@@ -71,7 +78,7 @@ Diagnostics make_film_of_frames(const FilmRequest& film, const FramePattern& pat
         return found;
     }
     if (remove_frames) {
-        remove_all(pattern);
+        remove_frame_files(pattern);
     }
     return {};
 }

@@ -173,6 +173,26 @@ std::vector<std::string> film_extensions() {
     return names;
 }
 
+Result<FrameOutput> frame_output_of(const std::string& output) {
+    if (is_film(output)) {
+        return FrameOutput{pattern_of_film(output), FilmRequest{output}};
+    }
+    const std::string films = fmt::format("{}", fmt::join(film_extensions(), ", "));
+    if (names_film(output)) {
+        return error(Kind::usage,
+                     fmt::format("films in the format of '{}' are not written", output),
+                     fmt::format("name a film that ends in {}", films));
+    }
+    if (const auto pattern = FramePattern::read(output)) {
+        return FrameOutput{*pattern, {}};
+    }
+    const std::string ending = ending_of(output);
+    return error(Kind::usage, fmt::format("'{}' has no # for the number of the frame", output),
+                 fmt::format("write --output '{}.####{}', or name a film ({})",
+                             fs::path(output).replace_extension().string(),
+                             ending.empty() ? ".png" : ending, films));
+}
+
 bool has_even_sides(const fs::path& film) { return format_of(film)->is_video; }
 
 Diagnostics check_film(const FilmRequest& film) {

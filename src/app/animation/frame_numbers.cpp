@@ -4,6 +4,7 @@
 #include "balcony/animation.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -50,6 +51,17 @@ std::optional<FrameNumbers> frame_numbers_of(std::string_view text) {
     }
     std::sort(frames.begin(), frames.end());
     frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
+    return frames;
+}
+
+// A film of one frame is not meant.
+std::optional<FrameNumbers> frames_of_film(std::string_view text) {
+    auto frames = frame_numbers_of(text);
+    if (frames && whole_number_of(text)) {
+        const std::size_t last = frames->front();
+        frames->resize(std::max<std::size_t>(last, 1));
+        std::iota(frames->begin(), frames->end(), last > 0 ? 1 : 0);
+    }
     return frames;
 }
 

@@ -1,8 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-#include <algorithm>
-#include <numeric>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -15,43 +14,16 @@ namespace balcony::app {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr double best_crf = 0.0;
 constexpr double worst_crf = 63.0;
 
-Value<FrameNumbers> frame_numbers() {
-    Value<FrameNumbers> made;
-    made.read = frame_numbers_of;
-    made.write = [](const FrameNumbers& frames) { return text_of(frames); };
-    made.remedy = [](std::string_view) {
-        return fmt::format(
-            "write the first and the last frame, such as 1-240, numbers from 0 to {}", max_frame);
-    };
-    return made;
-}
-
-// A film, or the pattern of a sequence.
 void read_output(std::span<const std::string> words, AnimationRequest& animation,
                  Diagnostics& found) {
-    const std::string& output = words.back();
-    animation.picture.output = output;
-    if (is_film(output)) {
-        animation.film.emplace().file = output;
-        animation.pattern = pattern_of_film(output);
-    } else if (names_film(output)) {
-        found.push_back(
-            error(Kind::usage, fmt::format("films in the format of '{}' are not written", output),
-                  fmt::format("name a film that ends in {}", fmt::join(film_extensions(), ", "))));
-    } else if (const auto pattern = FramePattern::read(output)) {
-        animation.pattern = *pattern;
-    } else {
-        const std::string ending = ending_of(output);
-        found.push_back(error(
-            Kind::usage, fmt::format("'{}' has no # for the number of the frame", output),
-            fmt::format("write --output '{}.####{}', or name a film ({})",
-                        fs::path(output).replace_extension().string(),
-                        ending.empty() ? ".png" : ending, fmt::join(film_extensions(), ", "))));
+    animation.picture.output = words.back();
+    Result<FrameOutput> output = frame_output_of(words.back());
+    if (!add(found, output.diagnostics)) {
+        animation.pattern = output->pattern;
+        animation.film = std::move(output->film);
     }
 }
 
@@ -158,13 +130,6 @@ Options<AnimationRequest> frame_options() {
                 count(1, render::max_shards), &AnimationRequest::parts_per_frame)}};
 }
 
-// The frames from 1 to the only one.
-FrameNumbers frames_up_to(std::size_t last) {
-    FrameNumbers frames(std::max<std::size_t>(last, 1));
-    std::iota(frames.begin(), frames.end(), last > 0 ? 1 : 0);
-    return frames;
-}
-
 void check_together(AnimationRequest& animation, const GivenWords& given, Diagnostics& found) {
     animation.turntable = animation.turntable || !animation.around.empty();
     if (animation.duration && animation.frames) {
@@ -173,10 +138,9 @@ void check_together(AnimationRequest& animation, const GivenWords& given, Diagno
     }
     if (animation.film) {
         animation.film->rate = animation.picture.shutter.rate;
-        // A film of one frame is not meant: --frames 48 are the first 48.
         const auto frames = given.find("--frames");
-        if (frames != given.end() && whole_number_of(frames->second.back()) && animation.frames) {
-            animation.frames = frames_up_to(animation.frames->front());
+        if (frames != given.end()) {
+            animation.frames = frames_of_film(frames->second.back());
         }
     } else {
         for (const char* option : {"--crf", "--keep-frames"}) {
@@ -196,6 +160,17 @@ void check_together(AnimationRequest& animation, const GivenWords& given, Diagno
 }
 
 }  // namespace
+
+Value<FrameNumbers> frame_numbers() {
+    Value<FrameNumbers> made;
+    made.read = frame_numbers_of;
+    made.write = [](const FrameNumbers& frames) { return text_of(frames); };
+    made.remedy = [](std::string_view) {
+        return fmt::format(
+            "write the first and the last frame, such as 1-240, numbers from 0 to {}", max_frame);
+    };
+    return made;
+}
 
 Options<AnimationRequest> animation_options() {
     Options<Request> before = scene_options();

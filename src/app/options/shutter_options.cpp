@@ -22,23 +22,6 @@ std::optional<FrameRate> fraction_of(std::string_view word) {
                : std::nullopt;
 }
 
-Value<FrameRate> frames_per_second() {
-    Value<FrameRate> made;
-    made.info.type = OptionType::number;
-    made.info.unit = "1/s";
-    made.info.minimum = 1.0 / longest;
-    made.info.maximum = longest;
-    made.read = [](std::string_view word) {
-        const auto fps = fraction_of(word);
-        return fps && fps->frames / fps->seconds >= 1.0 / longest ? fps : std::nullopt;
-    };
-    made.write = [](const FrameRate& fps) { return fps.text(); };
-    made.remedy = [](std::string_view) {
-        return "give a number above 0, such as 24 or 30000/1001";
-    };
-    return made;
-}
-
 // In seconds or degrees. Film cameras have a disc that turns once a frame and lets light pass for
 // an angle.
 void read_duration(std::span<const std::string> words, ShutterRequest& shutter,
@@ -57,6 +40,23 @@ void read_duration(std::span<const std::string> words, ShutterRequest& shutter,
 }
 
 }  // namespace
+
+Value<FrameRate> frames_per_second() {
+    Value<FrameRate> made;
+    made.info.type = OptionType::number;
+    made.info.unit = "1/s";
+    made.info.minimum = 1.0 / longest;
+    made.info.maximum = longest;
+    made.read = [](std::string_view word) {
+        const auto fps = fraction_of(word);
+        return fps && fps->frames / fps->seconds >= 1.0 / longest ? fps : std::nullopt;
+    };
+    made.write = [](const FrameRate& fps) { return fps.text(); };
+    made.remedy = [](std::string_view) {
+        return "give a number above 0, such as 24 or 30000/1001";
+    };
+    return made;
+}
 
 Options<ShutterRequest> shutter_options() {
     Value<render::ShutterShape> shape = choice(render::shutter_shapes());

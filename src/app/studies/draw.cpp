@@ -2,14 +2,22 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <algorithm>
+#include <optional>
+#include <set>
+#include <string>
+#include <system_error>
 
 #include <fmt/format.h>
 
+#include "app/animation/animation_film.hpp"
+#include "app/animation/film_file.hpp"
+#include "app/animation/frame_record.hpp"
 #include "app/words.hpp"
 #include "balcony/display_file.hpp"
 #include "balcony/lang.hpp"
 #include "balcony/output_file.hpp"
 #include "balcony/studies.hpp"
+#include "base/precondition.hpp"
 
 namespace balcony::app {
 
@@ -43,7 +51,7 @@ Diagnostics check_drawing(const DrawRequest& request) {
                                   request.output.string()),
                       "use a file name that ends in .svg, .png, .jpg, .webp, .tif or .glb")};
     }
-    return OutputFile::check(request.output);
+    return {};
 }
 
 Diagnostics write_model(const camera::Picture& picture, const DrawRequest& request,
@@ -74,11 +82,61 @@ Diagnostics write_drawing(const camera::Picture& picture, const DrawRequest& req
     return found;
 }
 
+Diagnostics write(const camera::Picture& picture, const DrawRequest& request,
+                  const std::stop_token& stop) {
+    return format_of(request.output) == Format::glb ? write_model(picture, request, stop)
+                                                    : write_drawing(picture, request, stop);
+}
+
+// The folder of a film's frames is made.
+Diagnostics prepare_film(const FilmRequest& film, const FramePattern& pattern) {
+    Diagnostics found = check_film(film);
+    if (has_errors(found)) {
+        return found;
+    }
+    std::error_code failed;
+    if (fs::exists(record_file(pattern), failed)) {
+        return {error(Kind::input,
+                      fmt::format("the frames of an animation that is not finished are in '{}'",
+                                  pattern.folder().string()),
+                      "finish or remove it, or name another output")};
+    }
+    return make_film_folder(film);
+}
+
+// The warnings of one frame stand for those of all.
+Diagnostics write_frames(const camera::Picture& picture, const DrawFilmRequest& request,
+                         const Observer& observer, const std::stop_token& stop) {
+    const auto time_of_frame = [&](std::size_t frame) {
+        return time_of(frame, request.drawing.depiction.time, request.rate);
+    };
+    DrawRequest drawing = request.drawing;
+    if (!drawing.depiction.film) {
+        drawing.depiction.film = {time_of_frame(request.frames.front()),
+                                  time_of_frame(request.frames.back())};
+    }
+    Diagnostics found;
+    std::set<std::string> told;
+    for (std::size_t i = 0; i < request.frames.size() && !has_errors(found); ++i) {
+        if (observer.frame) {
+            observer.frame(request.frames[i], i, request.frames.size());
+        }
+        drawing.depiction.time = time_of_frame(request.frames[i]);
+        drawing.output = request.output.pattern.file(request.frames[i]);
+        for (const Diagnostic& one : write(picture, drawing, stop)) {
+            if (told.insert(one.message).second) {
+                found.push_back(one);
+            }
+        }
+    }
+    return found;
+}
+
 }  // namespace
 
 Diagnostics draw(const DrawRequest& request, const std::stop_token& stop) {
     Diagnostics found = check_drawing(request);
-    if (has_errors(found)) {
+    if (has_errors(found) || add(found, OutputFile::check(request.output))) {
         return found;
     }
     lang::Workspace workspace;
@@ -87,9 +145,42 @@ Diagnostics draw(const DrawRequest& request, const std::stop_token& stop) {
     add(found, picture.diagnostics);
     add(found, check_overwrites(request.output, workspace.files()));
     if (!has_errors(found)) {
-        add(found, format_of(request.output) == Format::glb
-                       ? write_model(*picture, request, stop)
-                       : write_drawing(*picture, request, stop));
+        add(found, write(*picture, request, stop));
+    }
+    return found;
+}
+
+Diagnostics draw_film(const DrawFilmRequest& request, const Observer& observer,
+                      const std::stop_token& stop) {
+    precondition(!request.frames.empty(), "a film has frames");
+    DrawRequest first = request.drawing;
+    first.output = request.output.pattern.file(request.frames.front());
+    std::optional<FilmRequest> film = request.output.film;
+    Diagnostics found = check_drawing(first);
+    if (has_errors(found) || (!film && add(found, OutputFile::check(first.output)))) {
+        return found;
+    }
+    lang::Workspace workspace;
+    workspace.stop_with(stop);
+    const auto picture = load_picture(first.camera, first.set, workspace);
+    add(found, picture.diagnostics);
+    add(found, check_inputs(request.output.pattern, workspace.files()));
+    if (has_errors(found)) {
+        return found;
+    }
+    if (film) {
+        film->rate = request.rate;
+        if (add(found, prepare_film(*film, request.output.pattern))) {
+            return found;
+        }
+    }
+    bool is_whole = !add(found, write_frames(*picture, request, observer, stop));
+    if (film && is_whole) {
+        is_whole = !add(found, make_film_of_frames(*film, request.output.pattern, request.frames,
+                                                   true, observer, stop));
+    }
+    if (film && !is_whole && kind_of_errors(found) != Kind::environment) {
+        remove_frame_files(request.output.pattern);
     }
     return found;
 }

@@ -17,6 +17,7 @@
 #include "cli/interruption.hpp"
 #include "cli/options/command_rows.hpp"
 #include "cli/report/explain_report.hpp"
+#include "cli/report/render_observer.hpp"
 
 namespace balcony::cli {
 
@@ -29,6 +30,8 @@ struct DrawOptions {
     std::optional<Imath::Color3f> color;
     SizeRequest size;
     bool explain = false;
+    std::optional<app::FrameNumbers> frames;  ///< Of a film or a sequence.
+    app::FrameRate rate;
     Manner manner;
 };
 
@@ -154,18 +157,48 @@ app::DrawRequest request_of(const DrawOptions& options) {
     return request;
 }
 
+bool is_of_frames(const DrawOptions& options) {
+    return options.frames || app::is_film(options.output);
+}
+
+Diagnostics draw_frames(const DrawOptions& options, app::DrawRequest drawing) {
+    Result<app::FrameOutput> output = app::frame_output_of(options.output);
+    if (!output) {
+        return output.diagnostics;
+    }
+    if (!options.frames) {
+        return {
+            error(Kind::usage, "nothing tells how many frames the film has", "add --frames 48")};
+    }
+    RenderObserver observer(options.manner);
+    return app::draw_film(
+        {std::move(drawing), *options.frames, options.rate, std::move(*output.value)},
+        observer.observer(), observer.token());
+}
+
 ExitCode draw(const DrawOptions& options) {
     Answer answer;
     answer.facts["output"] = nullptr;
-    const Interruptible work;
     app::DrawRequest request = request_of(options);
     Diagnostics found;
     if (options.explain) {
         add_notes(options, request, found);
     }
-    if (answer.add(found) && answer.add(app::draw(request, work.token()))) {
+    if (!answer.add(found)) {
+        return give(answer, options.manner);
+    }
+    if (is_of_frames(options)) {
+        found = draw_frames(options, std::move(request));
+    } else {
+        const Interruptible work;
+        found = app::draw(request, work.token());
+    }
+    if (answer.add(found)) {
         answer.facts["output"] = options.output;
-        answer.text = fmt::format("{}: drawn\n", printable(options.output));
+        answer.text = options.frames
+                          ? fmt::format("{}: frames {} drawn\n", printable(options.output),
+                                        app::text_of(*options.frames))
+                          : fmt::format("{}: drawn\n", printable(options.output));
     }
     return give(answer, options.manner);
 }
@@ -178,7 +211,25 @@ void add_draw_command(CLI::App& app, ExitCode& code) {
         all.add(&DrawOptions::request, {{camera_argument(&app::DrawRequest::camera)}});
         all.rows.push_back(output_option(
             &DrawOptions::output,
-            "output file: a picture (.svg, .png, .jpg, .webp, .tif) or a scene (.glb)", true));
+            "output file: a picture (.svg, .png, .jpg, .webp, .tif), a scene (.glb), or with "
+            "--frames a film, or a sequence whose name has # for the digits of the frame's number",
+            true));
+        all.add(
+            {{option({.name = "--frames",
+                      .placeholder = "FRAMES",
+                      .meaning = "draw the frames of a film, as of animate: 1-240, or the length "
+                                 "of a film; frame 1 is at --time"},
+                     app::maybe(app::frame_numbers()), &DrawOptions::frames),
+              option({.name = "--fps",
+                      .placeholder = "NUMBER",
+                      .meaning = "frames per second of the film"},
+                     app::frames_per_second(), &DrawOptions::rate)}});
+        all.checks.emplace_back([](DrawOptions& drawn, const app::GivenWords& given, Diagnostics&) {
+            const auto frames = given.find("--frames");
+            if (frames != given.end() && app::is_film(drawn.output)) {
+                drawn.frames = app::frames_of_film(frames->second.back());
+            }
+        });
         all.add(
             &DrawOptions::request,
             {{app::set_option(&app::DrawRequest::set),
@@ -186,7 +237,7 @@ void add_draw_command(CLI::App& app, ExitCode& code) {
               option({.name = "--during",
                       .placeholder = "FROM,TO",
                       .meaning = "the times of a film: its drawings, one for each --time, have one "
-                                 "frame of reference"},
+                                 "frame of reference (default: the times of --frames)"},
                      app::maybe(
                          pair({largest, largest}, "s", "give two times in seconds, such as 0,5")),
                      &app::DrawRequest::depiction, &analyse::Depiction::film)}});
@@ -217,6 +268,7 @@ void add_draw_command(CLI::App& app, ExitCode& code) {
             "  balcony draw my.cam:poster -o poster.svg\n"
             "  balcony draw pinhole --explain -o class.svg\n"
             "  balcony draw my.cam:closeup --time 2 --during 0,5 -o closeup-2.png\n"
+            "  balcony draw walkthrough --frames 48 -o walkthrough.mp4\n"
             "  balcony draw my.cam --rays 20 --length 2 -o camera.glb");
     };
     add_command<DrawOptions>(app, code, "draw",
