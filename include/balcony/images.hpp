@@ -35,12 +35,6 @@ inline constexpr std::size_t max_tile_row_pixels = 16'777'216;         ///< Of a
 /// Which channels of a file are read: colour and alpha, or all that it has.
 enum class ImageChannels : std::uint8_t { first_four, all };
 
-class ImageFile;
-
-/// The image as its orientation (EXIF, TIFF) says that it is seen. One that is stored otherwise is
-/// decoded as a whole with its first rows.
-[[nodiscard]] std::unique_ptr<ImageFile> upright(std::unique_ptr<ImageFile> image);
-
 /// An image that is open for reading, row by row from the top. Reading rows in their order decodes
 /// each once; going back begins again at the top where the format knows no other way.
 ///
@@ -80,9 +74,10 @@ public:
     [[nodiscard]] virtual bool has_bytes() const = 0;
     /// The channel of straight alpha, if any.
     [[nodiscard]] virtual std::optional<std::size_t> unassociated_alpha() const = 0;
-    /// How the picture is seen, as EXIF and TIFF count it: 1 as it is stored; 2 mirrored, 3 turned
-    /// upside down, 4 both; 5 to 8 with rows as columns. 1 where the file does not say.
-    [[nodiscard]] virtual int orientation() const = 0;
+
+    /// From now on, it has the size and the rows of the image as its orientation (EXIF, TIFF) says
+    /// that it is seen. One that is stored otherwise is decoded as a whole with its first rows.
+    virtual void turn_upright() = 0;
 
     /// Reads the rows [begin, end): channels() values per pixel, integers scaled to 0 .. 1. Returns
     /// nothing on success, otherwise the reason, as for open(). Rows that the image does not have,

@@ -64,8 +64,11 @@ Result<std::shared_ptr<const GreyImage>> read_pixels(ImageFile& input, const Fil
 Result<std::shared_ptr<const GreyImage>> read_grey_image(const File& file) {
     Result<std::unique_ptr<ImageFile>> input =
         file.bytes ? ImageFile::open(file.path, *file.bytes) : ImageFile::open(file.path);
-    return input ? read_pixels(*images::upright(std::move(*input)), file)
-                 : no_image(file, input.diagnostics.front());
+    if (!input) {
+        return no_image(file, input.diagnostics.front());
+    }
+    (*input)->turn_upright();
+    return read_pixels(**input, file);
 }
 
 }  // namespace balcony::data

@@ -54,8 +54,8 @@ Result<Photo> Photo::load(const std::filesystem::path& file) {
     if (!opened) {
         return no_photo(file, opened.diagnostics.front());
     }
-    const std::unique_ptr<ImageFile> image = images::upright(std::move(*opened));
-    ImageFile& input = *image;
+    ImageFile& input = **opened;
+    input.turn_upright();
     auto made = std::make_shared<Pixels>();
     made->width = input.width();
     made->height = input.height();

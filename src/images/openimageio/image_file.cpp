@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include <OpenImageIO/imagebuf.h>
+#include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
@@ -28,8 +30,9 @@ Diagnostic unknown_format() {
 }
 
 // Some readers repeat themselves on the next line, or have nothing to report.
-Diagnostic reported_by(OIIO::ImageInput& input) {
-    const std::string reason = input.geterror();
+template <class Source>
+Diagnostic reported_by(const Source& source) {
+    const std::string reason = source.geterror();
     return error(reason.empty() ? "its content is corrupt" : reason.substr(0, reason.find('\n')));
 }
 
@@ -111,23 +114,43 @@ std::optional<Diagnostic> guarded(const Action& action) {
     }
 }
 
+// ImageBufAlgo::reorient() of OpenImageIO 2.4 takes 5 and 7 for each other.
+OIIO::ImageBuf turned_upright(const OIIO::ImageBuf& stored, int orientation) {
+    namespace algorithms = OIIO::ImageBufAlgo;
+    switch (orientation) {
+        case 2: return algorithms::flop(stored);
+        case 3: return algorithms::rotate180(stored);
+        case 4: return algorithms::flip(stored);
+        case 5: return algorithms::transpose(stored);
+        case 6: return algorithms::rotate90(stored);
+        case 7: return algorithms::transpose(algorithms::rotate180(stored));
+        case 8: return algorithms::rotate270(stored);
+        default: return stored;
+    }
+}
+
 class OpenImageFile final : public ImageFile {
 public:
     [[nodiscard]] static Result<std::unique_ptr<ImageFile>> open(std::unique_ptr<IOProxy> bytes,
                                                                  const fs::path& name,
                                                                  ImageChannels channels);
 
-    std::size_t width() const override { return static_cast<std::size_t>(spec_.width); }
-    std::size_t height() const override { return static_cast<std::size_t>(spec_.height); }
+    std::size_t width() const override {
+        return static_cast<std::size_t>(rows_are_columns() ? spec_.height : spec_.width);
+    }
+    std::size_t height() const override {
+        return static_cast<std::size_t>(rows_are_columns() ? spec_.width : spec_.height);
+    }
     std::size_t channels() const override { return static_cast<std::size_t>(channel_count()); }
     bool is_float() const override { return spec_.format.is_floating_point(); }
     bool has_bytes() const override { return spec_.format == OIIO::TypeDesc::UINT8; }
     std::vector<std::string> channel_names() const override;
     bool is_whole_picture() const override;
     std::optional<std::size_t> unassociated_alpha() const override;
-    int orientation() const override {
+
+    void turn_upright() override {
         const int stored = spec_.get_int_attribute("Orientation", 1);
-        return 1 <= stored && stored <= 8 ? stored : 1;
+        orientation_ = 1 <= stored && stored <= 8 ? stored : 1;
     }
 
     std::optional<Diagnostic> read_rows(std::size_t begin, std::size_t end,
@@ -140,6 +163,7 @@ public:
     }
 
 private:
+    [[nodiscard]] bool rows_are_columns() const { return orientation_ >= 5; }
     [[nodiscard]] int channel_count() const {
         return which_ == ImageChannels::all ? spec_.nchannels : std::min(spec_.nchannels, 4);
     }
@@ -194,6 +218,39 @@ private:
         }
         const int begin = static_cast<int>(first_row);
         const int end = static_cast<int>(end_row);
+        return orientation_ == 1 ? read_stored(begin, end, values)
+                                 : read_turned(begin, end, values);
+    }
+
+    template <class Value>
+    [[nodiscard]] std::optional<Diagnostic> read_turned(int begin, int end,
+                                                        std::span<Value> values) {
+        if (!turned_.initialized()) {
+            if (auto failure = has_bytes() ? turn<std::uint8_t>() : turn<float>()) {
+                return failure;
+            }
+        }
+        const OIIO::ROI rows(0, static_cast<int>(width()), begin, end, 0, 1, 0, channel_count());
+        return turned_.get_pixels(rows, OIIO::BaseTypeFromC<Value>::value, values.data())
+                   ? std::nullopt
+                   : std::optional(reported_by(turned_));
+    }
+
+    template <class Value>
+    [[nodiscard]] std::optional<Diagnostic> turn() {
+        const OIIO::ImageSpec spec(spec_.width, spec_.height, channel_count(),
+                                   OIIO::BaseTypeFromC<Value>::value);
+        std::vector<Value> stored(width() * height() * channels());
+        if (auto failure = read_stored(0, spec_.height, std::span(stored))) {
+            return failure;
+        }
+        turned_ = turned_upright(OIIO::ImageBuf(spec, stored.data()), orientation_);
+        return turned_.has_error() ? std::optional(reported_by(turned_)) : std::nullopt;
+    }
+
+    template <class Value>
+    [[nodiscard]] std::optional<Diagnostic> read_stored(int begin, int end,
+                                                        std::span<Value> values) {
         const bool tiled = spec_.tile_width > 0;
         // Readers that rewind by themselves open a file on disk.
         if (begin < next_row_ && !tiled) {
@@ -213,6 +270,8 @@ private:
     OIIO::ImageSpec spec_;
     int next_row_ = 0;  // After the last row that was read.
     ImageChannels which_ = ImageChannels::first_four;
+    int orientation_ = 1;    // As EXIF and TIFF count it; 1 is as it is stored.
+    OIIO::ImageBuf turned_;  // The whole image upright, once it is read and stored otherwise.
 };
 
 Result<std::unique_ptr<ImageFile>> OpenImageFile::open(std::unique_ptr<IOProxy> bytes,

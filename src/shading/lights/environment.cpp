@@ -108,8 +108,8 @@ Result<Environment> Environment::load(const std::filesystem::path& file,
         return unusable(file, opened.diagnostics.front());
     }
     try {
-        const std::unique_ptr<images::ImageFile> input = images::upright(std::move(*opened));
-        images::ImageFile& image = *input;
+        images::ImageFile& image = **opened;
+        image.turn_upright();
         const std::size_t width = image.width();
         const std::size_t height = image.height();
         std::vector<Color3f> texels;
