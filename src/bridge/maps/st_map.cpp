@@ -104,21 +104,7 @@ public:
     }
 
     void at(std::span<const V2d> of, std::vector<SourcePlace>& places) const {
-        std::vector<double> x;
-        std::vector<double> y;
-        for (const V2d& one : of) {
-            x.push_back(one.x);
-            y.push_back(one.y);
-        }
-        Scratch scratch;
-        RayBatch batch;
-        rays_.run_at(x, y, scratch, batch);
-        std::vector<Pixel> pixels;
-        for (std::size_t i = 0; i < of.size(); ++i) {
-            if (batch.valid(i)) {
-                pixels.push_back({.index = i, .wanted = direction_of(batch, i)});
-            }
-        }
+        std::vector<Pixel> pixels = pixels_at(of);
         find_from_guesses(pixels);
         places.assign(of.size(), {});
         for (const Pixel& pixel : pixels) {
@@ -179,6 +165,26 @@ private:
         return pixels;
     }
 
+    // The index of each is that of its point.
+    [[nodiscard]] std::vector<Pixel> pixels_at(std::span<const V2d> points) const {
+        std::vector<double> x;
+        std::vector<double> y;
+        for (const V2d& point : points) {
+            x.push_back(point.x);
+            y.push_back(point.y);
+        }
+        Scratch scratch;
+        RayBatch batch;
+        rays_.run_at(x, y, scratch, batch);
+        std::vector<Pixel> pixels;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            if (batch.valid(i)) {
+                pixels.push_back({.index = i, .wanted = direction_of(batch, i)});
+            }
+        }
+        return pixels;
+    }
+
     void find_centres(std::vector<Pixel>& pixels, const Part& part) const {
         ask(pixels, [&part](const Pixel& pixel) { return part.is_anchor(pixel.index); });
         std::vector<V2d> anchors(part.anchors(), nowhere());
@@ -208,30 +214,23 @@ private:
     void cover_borders(std::vector<SourcePlace>& places, const Part& part) const {
         constexpr int side = 4;
         std::vector<std::size_t> indices;
-        std::vector<double> x;
-        std::vector<double> y;
+        std::vector<V2d> points;
         for (std::size_t i = 0; i < places.size(); ++i) {
             if (!is_at_border(places, part, i)) {
                 continue;
             }
             for (int k = 0; k < side * side; ++k) {
                 indices.push_back(i);
-                x.push_back(static_cast<double>(i % part.width) + (k % side + 0.5) / side);
-                y.push_back(static_cast<double>(part.first_row + i / part.width) +
-                            (static_cast<double>(k / side) + 0.5) / side);
+                points.emplace_back(static_cast<double>(i % part.width) + (k % side + 0.5) / side,
+                                    static_cast<double>(part.first_row + i / part.width) +
+                                        (static_cast<double>(k / side) + 0.5) / side);
             }
         }
-        Scratch scratch;
-        RayBatch batch;
-        rays_.run_at(x, y, scratch, batch);
-        std::vector<Pixel> within;
-        for (std::size_t i = 0; i < indices.size(); ++i) {
-            if (batch.valid(i)) {
-                const SourcePlace& centre = places[indices[i]];
-                within.push_back({.index = indices[i],
-                                  .wanted = direction_of(batch, i),
-                                  .position = centre.valid ? position_of(centre) : nowhere()});
-            }
+        std::vector<Pixel> within = pixels_at(points);
+        for (Pixel& one : within) {
+            one.index = indices[one.index];
+            const SourcePlace& centre = places[one.index];
+            one.position = centre.valid ? position_of(centre) : nowhere();
         }
         find_from_guesses(within);
         for (const std::size_t index : indices) {
