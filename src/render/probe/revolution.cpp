@@ -290,14 +290,8 @@ double arc_of(const std::vector<SeenFromAxis>& places) {
         const double turn = std::atan2(p.side.y, p.side.x) / (2.0 * std::numbers::pi) + 0.5;
         covered[std::min(static_cast<std::size_t>(turn * parts), parts - 1)] |= p.upright > 0.25;
     }
-    std::size_t gap = 0;
-    std::size_t longest = 0;
-    for (std::size_t i = 0; i < 2 * parts; ++i) {
-        gap = covered[i % parts] ? 0 : gap + 1;
-        longest = std::max(longest, gap);
-    }
     return 2.0 * std::numbers::pi *
-           (1.0 - static_cast<double>(std::min(longest, parts)) / static_cast<double>(parts));
+           (1.0 - static_cast<double>(longest_gap(covered).length) / static_cast<double>(parts));
 }
 
 // Of the outer side, unless there is little of it.
@@ -332,6 +326,19 @@ bool is_near(const std::vector<SeenFromAxis>& places, double radius) {
 }
 
 }  // namespace
+
+CircleGap longest_gap(std::span<const bool> covered) {
+    const std::size_t parts = covered.size();
+    CircleGap gap;
+    std::size_t length = 0;
+    for (std::size_t i = 0; i < 2 * parts && gap.length < parts; ++i) {
+        length = covered[i % parts] ? 0 : length + 1;
+        if (length > gap.length) {
+            gap = {length, i + 1};
+        }
+    }
+    return gap;
+}
 
 std::optional<RevolutionFit> fit_revolution(std::span<const SurfaceSample> samples) {
     if (samples.empty()) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 
@@ -13,6 +14,13 @@ namespace balcony::render {
 struct SurfaceSample {
     Imath::V3d position, normal;
 };
+
+/// The longest run of parts of a circle that are not covered.
+struct CircleGap {
+    std::size_t length = 0;  ///< In parts.
+    std::size_t end = 0;     ///< The part after it; of the next turn if it is not below the count.
+};
+[[nodiscard]] CircleGap longest_gap(std::span<const bool> covered);
 
 struct RevolutionFit {
     Imath::V3d axis;      ///< A unit vector, upwards.

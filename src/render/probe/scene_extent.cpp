@@ -194,18 +194,9 @@ std::optional<double> middle_of_gap(const std::vector<V3d>& points) {
     for (const V3d& p : points) {
         covered[std::min(static_cast<std::size_t>(turn_between(0.0, p) * parts), parts - 1)] = true;
     }
-    std::size_t length = 0;
-    std::size_t longest = 0;
-    std::size_t end = 0;
-    for (std::size_t i = 0; i < 2 * parts; ++i) {
-        length = covered[i % parts] ? 0 : length + 1;
-        if (length > longest) {
-            longest = length;
-            end = i + 1;
-        }
-    }
-    const double middle = static_cast<double>(end) - 0.5 * static_cast<double>(longest);
-    return least <= longest && longest < parts
+    const CircleGap gap = longest_gap(covered);
+    const double middle = static_cast<double>(gap.end) - 0.5 * static_cast<double>(gap.length);
+    return least <= gap.length && gap.length < parts
                ? std::optional(2.0 * std::numbers::pi / static_cast<double>(parts) * middle)
                : std::nullopt;
 }
