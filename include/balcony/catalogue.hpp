@@ -253,9 +253,8 @@ public:
     [[nodiscard]] std::size_t count(std::string_view name) const;
     [[nodiscard]] std::array<Scalar, 2> pair(std::string_view name) const;
     [[nodiscard]] std::array<Scalar, 3> triple(std::string_view name) const;
+    /// One of the words that the row lists, or a name, such as that of an object.
     [[nodiscard]] const std::string& choice(std::string_view name) const;
-    /// Of an object, for example.
-    [[nodiscard]] const std::string& given_name(std::string_view name) const;
     [[nodiscard]] const PointList& points(std::string_view name) const;
     [[nodiscard]] ObjectGeneratorPointer curve(std::string_view name) const;
     template <class Port>

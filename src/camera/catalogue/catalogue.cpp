@@ -294,10 +294,6 @@ const std::string& Arguments::choice(std::string_view name) const {
     return std::get<std::string>(value(name));
 }
 
-const std::string& Arguments::given_name(std::string_view name) const {
-    return std::get<std::string>(value(name));
-}
-
 const PointList& Arguments::points(std::string_view name) const {
     return std::get<PointList>(value(name));
 }

@@ -243,7 +243,7 @@ s   the median length of the rays of the picture that meet the object first;
                          .type = NameParameter{},
                          .meaning = "the name of an object of the scene, as 'balcony info "
                                     "--objects' lists it"}},
-         .make = [](const Arguments& a) { return made<ObjectFocus>(a.given_name("object")); },
+         .make = [](const Arguments& a) { return made<ObjectFocus>(a.choice("object")); },
          .example = R"(
 // The distance of a picture on the wall is measured when the scene is known.
 camera autofocus {

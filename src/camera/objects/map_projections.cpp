@@ -49,7 +49,7 @@ constexpr std::array proj_angles{"lon_0",  "lat_0", "lat_1", "lat_2",
 constexpr std::array proj_numbers{"h", "n", "m"};
 
 StageResult make_map_projection(const Arguments& a) {
-    Result<maps::Definition> definition = maps::read_definition(a.given_name("definition"));
+    Result<maps::Definition> definition = maps::read_definition(a.choice("definition"));
     if (!definition) {
         return std::move(definition.diagnostics);
     }
