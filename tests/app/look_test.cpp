@@ -3,30 +3,16 @@
 
 // The exposure that a picture is given follows from the scene and the camera alone.
 
-#include <filesystem>
-#include <fstream>
-
 #include <gtest/gtest.h>
 
 #include "balcony/app.hpp"
+#include "support.hpp"
 
 namespace balcony::app::look_test {
 namespace {
 
-namespace fs = std::filesystem;
-
-class LookTest : public testing::Test {
+class LookTest : public test::FolderTest {
 protected:
-    void SetUp() override {
-        fs::remove_all(folder_);
-        fs::create_directories(folder_);
-    }
-
-    std::string file(const char* name, const char* text) const {
-        std::ofstream(folder_ / name) << text;
-        return (folder_ / name).string();
-    }
-
     // A closed room, seen from its middle, with a small lamp in a corner: with one sample, few
     // pixels have light at all.
     Request room() const {
@@ -56,7 +42,7 @@ protected:
         request.size = {.width = width, .height = height, .fit = camera::Fit::stretch};
         request.samples = samples;
         request.settings.sampling.seed = seed;
-        request.output = folder_ / "p.png";
+        request.output = file("p.png");
         const Report report = Session().render(request);
         EXPECT_FALSE(has_errors(report.diagnostics)) << to_text(report.diagnostics);
         EXPECT_TRUE(report.is_exposure_chosen);
@@ -76,9 +62,6 @@ protected:
         // Of almost the same aspect.
         EXPECT_NEAR(exposure_of(request, 99, 55, 1, 0), exposure, 0.25);
     }
-
-private:
-    fs::path folder_ = fs::path(testing::TempDir()) / "look";
 };
 
 TEST_F(LookTest, OfARoomWithASmallLamp) { expect_one_exposure(room()); }

@@ -5,39 +5,24 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 
 #include <gtest/gtest.h>
 
 #include "balcony/app.hpp"
 #include "balcony/studies.hpp"
+#include "support.hpp"
 
 namespace balcony::app::studies_test {
 namespace {
 
 namespace fs = std::filesystem;
 
-class StudiesTest : public testing::Test {
+class StudiesTest : public test::FolderTest {
 protected:
-    void SetUp() override {
-        fs::remove_all(folder_);
-        fs::create_directories(folder_);
-    }
-
-    std::string file(const char* name, const char* text = nullptr) const {
-        if (text != nullptr) {
-            std::ofstream(folder_ / name) << text;
-        }
-        return (folder_ / name).string();
-    }
-
     // A wall two units before the origin, along -z as in OBJ files with y up.
     std::string wall() const {
         return file("wall.obj", "o wall\nv -9 -9 -2\nv 9 -9 -2\nv 9 9 -2\nv -9 9 -2\nf 1 2 3 4\n");
     }
-
-private:
-    fs::path folder_ = fs::path(testing::TempDir()) / "studies";
 };
 
 // u turns back at the middle of the picture, so the left half shows the right one again.
