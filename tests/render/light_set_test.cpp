@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <stop_token>
 
 #include <gtest/gtest.h>
 
@@ -118,6 +119,19 @@ TEST(LightSet, ASquareGivesItsIrradiance) {
                                                        {V3d(-1.0, 2.0, -1.0), V3d(1.0, 2.0, -1.0),
                                                         V3d(1.0, 2.0, 1.0), V3d(-1.0, 2.0, 1.0)});
     EXPECT_NEAR(irradiance(LightSet(scene), floor_point, 40), expected, 1e-3);
+}
+
+// Nothing was built that samples could be taken from.
+TEST(LightSet, ObeysAStop) {
+    scene::Scene scene = lit_scene(3, false);
+    scene::Material lamp = white();
+    lamp.emission = Color3f(1.0F);
+    add(scene, wall(-1.0F, 1.0F), lamp);
+    std::stop_source stop;
+    EXPECT_TRUE(LightSet(scene, nullptr, {}, stop.get_token()).sample(point, V3f(0.5F)));
+    stop.request_stop();
+    const LightSet stopped(scene, nullptr, {}, stop.get_token());
+    EXPECT_FALSE(stopped.sample(point, V3f(0.5F)));
 }
 
 }  // namespace

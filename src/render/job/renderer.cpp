@@ -72,11 +72,11 @@ Result<Renderer> Renderer::make(std::shared_ptr<const scene::Scene> scene,
     if (reads_textures) {
         textures->read_all(stop, part_of(progress, 0.5, 1.0));
     }
+    SurfaceFinder surfaces(*scene, movement);
+    LightSet lights(*scene, textures.get(), movement, stop);
     if (stop.stop_requested()) {
         return stopped();
     }
-    SurfaceFinder surfaces(*scene, movement);
-    LightSet lights(*scene, textures.get(), movement);
     const Preparation preparation{build_seconds, watch.seconds() - build_seconds,
                                   textures->held_bytes()};
     MaterialSet materials(*scene, *textures);
@@ -116,7 +116,10 @@ Result<Renderer> Renderer::moved(std::shared_ptr<const scene::Scene> scene,
         warnings = std::move(accelerator.diagnostics);
         traced.accelerator = std::move(*accelerator);
         traced.surfaces = SurfaceFinder(*scene, movement);
-        traced.lights = LightSet(*scene, traced.textures.get(), movement);
+        traced.lights = LightSet(*scene, traced.textures.get(), movement, stop);
+        if (stop.stop_requested()) {
+            return stopped();
+        }
         traced.materials.use(*scene);
         traced.scene = std::move(scene);
     }

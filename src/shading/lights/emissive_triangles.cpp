@@ -19,7 +19,8 @@ bool emits(const scene::Material& material) {
     return largest > 0.0F && std::isfinite(largest) && !material.unlit;
 }
 
-EmissiveTriangles::EmissiveTriangles(const scene::Scene& scene, const scene::Movement& movement)
+EmissiveTriangles::EmissiveTriangles(const scene::Scene& scene, const scene::Movement& movement,
+                                     const std::stop_token& stop)
     : scene_(&scene), moving_(movement), shapes_(movement) {
     const auto triangles = [&scene](const scene::Instance& instance) -> std::size_t {
         const scene::Mesh& mesh = scene.meshes[instance.mesh.value()];
@@ -43,17 +44,20 @@ EmissiveTriangles::EmissiveTriangles(const scene::Scene& scene, const scene::Mov
                              static_cast<std::uint32_t>(std::min(run_length_, count - first))});
         }
     }
-    keep_triangles();
-    find_closed_objects();
+    keep_triangles(stop);
+    find_closed_objects(stop);
 }
 
-void EmissiveTriangles::keep_triangles() {
+void EmissiveTriangles::keep_triangles(const std::stop_token& stop) {
     if (!moving_.empty() || !shapes_.empty() || count_ > max_runs) {
         return;
     }
     std::vector<WorldTriangle> all;
     all.reserve(count_);
     for (const EmissiveRun& run : runs_) {
+        if (stop.stop_requested()) {
+            return;
+        }
         for (std::uint32_t i = 0; i < run.count; ++i) {
             all.push_back(placed_triangle(run.instance, run.first + i, 0.0F));
         }
@@ -67,7 +71,7 @@ std::optional<std::size_t> EmissiveTriangles::run_with(const embree::Hit& hit) c
 }
 
 // An object that is large compared to the scene may be a sky around everything else.
-void EmissiveTriangles::find_closed_objects() {
+void EmissiveTriangles::find_closed_objects(const std::stop_token& stop) {
     constexpr std::size_t max_triangles = 1'000'000;  // About a third of a second.
     constexpr float small = 0.25F;
     constexpr float middle = 0.5F;
@@ -78,6 +82,9 @@ void EmissiveTriangles::find_closed_objects() {
     std::vector<Imath::Box3f> boxes(scene_->objects.size());
     std::vector<std::uint8_t> candidates(scene_->objects.size(), 0);
     for (const EmissiveRun& run : runs_) {
+        if (stop.stop_requested()) {
+            return;
+        }
         const std::uint32_t object = scene_->instances[run.instance].object;
         const scene::Material& surface = material(run.instance);
         candidates[object] = surface.alpha_mode == scene::AlphaMode::opaque ? 1 : 0;
@@ -86,7 +93,7 @@ void EmissiveTriangles::find_closed_objects() {
         boxes[object].extendBy(one.corner + one.edge_1);
         boxes[object].extendBy(one.corner + one.edge_2);
     }
-    for (std::uint32_t object = 0; object < candidates.size(); ++object) {
+    for (std::uint32_t object = 0; object < candidates.size() && !stop.stop_requested(); ++object) {
         candidates[object] = candidates[object] != 0 &&
                                      boxes[object].size().length() < small * all.size().length() &&
                                      scene::encloses_volume(*scene_, object)

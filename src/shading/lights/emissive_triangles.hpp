@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 #include <Imath/ImathMatrix.h>
@@ -39,12 +40,14 @@ struct EmissiveRun {
 };
 
 /// Divides the emissive triangles of a scene into runs: of one triangle each, unless there are so
-/// many that the number of runs would exceed a limit. The scene must outlive the object.
+/// many that the number of runs would exceed a limit. The scene must outlive the object. After a
+/// stop, the object is of no use.
 class EmissiveTriangles {
 public:
     static constexpr std::size_t max_runs = std::size_t{1} << 20U;
 
-    explicit EmissiveTriangles(const scene::Scene& scene, const scene::Movement& movement = {});
+    explicit EmissiveTriangles(const scene::Scene& scene, const scene::Movement& movement = {},
+                               const std::stop_token& stop = {});
 
     [[nodiscard]] const std::vector<EmissiveRun>& runs() const { return runs_; }
 
@@ -89,8 +92,8 @@ private:
         float front = 0.0F;
     };
 
-    void keep_triangles();
-    void find_closed_objects();
+    void keep_triangles(const std::stop_token& stop);
+    void find_closed_objects(const std::stop_token& stop);
     [[nodiscard]] WorldTriangle placed_triangle(std::uint32_t instance, std::uint32_t triangle,
                                                 float time) const;
     [[nodiscard]] float emitted(const EmissiveRun& run, std::uint32_t triangle,

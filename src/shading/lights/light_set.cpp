@@ -47,8 +47,8 @@ bool varies(const scene::Material& material) {
 // The lights at finite distances: point and spot lights, then runs of emissive triangles.
 struct LightSet::Finite {
     Finite(const scene::Scene& scene, const TextureLibrary* textures,
-           const scene::Movement& movement)
-        : triangles(scene, movement), moving(scene, movement) {
+           const scene::Movement& movement, const std::stop_token& stop)
+        : triangles(scene, movement, stop), moving(scene, movement) {
         for (std::size_t i = 0; i < scene.lights.size(); ++i) {
             if (scene.lights[i].kind != scene::LightKind::directional) {
                 lamps.push_back(i);
@@ -60,9 +60,12 @@ struct LightSet::Finite {
             bounds.push_back(moving.bounds(lamp));
         }
         for (const EmissiveRun& run : triangles.runs()) {
+            if (stop.stop_requested()) {
+                break;
+            }
             bounds.push_back(triangles.bounds(run, textures));
         }
-        tree = std::make_unique<const LightTree>(bounds);
+        tree = std::make_unique<const LightTree>(bounds, stop);
     }
 
     EmissiveTriangles triangles;
@@ -72,9 +75,9 @@ struct LightSet::Finite {
 };
 
 LightSet::LightSet(const scene::Scene& scene, const TextureLibrary* textures,
-                   const scene::Movement& movement)
+                   const scene::Movement& movement, const std::stop_token& stop)
     : scene_(&scene),
-      finite_(std::make_shared<const Finite>(scene, textures, movement)),
+      finite_(std::make_shared<const Finite>(scene, textures, movement, stop)),
       distant_(std::make_shared<const DistantLights>(scene, std::nullopt, std::nullopt)) {}
 
 LightSet LightSet::with(const std::optional<Environment>& environment,

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <stop_token>
 
 #include <Imath/ImathColor.h>
 #include <Imath/ImathVec.h>
@@ -51,8 +52,9 @@ class TextureLibrary;
 class LightSet {
 public:
     /// The textures tell how strong emissive triangles are; without them, textures count as white.
+    /// After a stop, the set is of no use.
     explicit LightSet(const scene::Scene& scene, const TextureLibrary* textures = nullptr,
-                      const scene::Movement& movement = {});
+                      const scene::Movement& movement = {}, const std::stop_token& stop = {});
 
     /// The same with an environment, and with another angular diameter of directional lights, in
     /// radians.

@@ -11,6 +11,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include <Imath/ImathVec.h>
@@ -29,8 +30,8 @@ public:
         float probability = 0.0F;
     };
 
-    /// Lights without power are never chosen.
-    explicit LightTree(std::span<const LightBounds> lights);
+    /// Lights without power are never chosen. After a stop, the tree is of no use.
+    explicit LightTree(std::span<const LightBounds> lights, const std::stop_token& stop = {});
 
     /// Chooses by a number in [0, 1). Nothing if no light reaches the point. A normal of 0 stands
     /// for light from all sides.

@@ -19,7 +19,9 @@ using Imath::V3f;
 /// again, until there are as many parts as lanes.
 class LightTreeBuilder {
 public:
-    LightTreeBuilder(LightTree& tree, std::span<const LightBounds> lights) : tree_(tree) {
+    LightTreeBuilder(LightTree& tree, std::span<const LightBounds> lights,
+                     const std::stop_token& stop)
+        : tree_(tree), stop_(stop) {
         tree.places_.assign(lights.size(), LightTree::none);
         double power = 0.0;
         for (std::size_t i = 0; i < lights.size(); ++i) {
@@ -34,7 +36,7 @@ public:
     }
 
     void build() {
-        if (!bounds_.empty()) {
+        if (!bounds_.empty() && !stop_.stop_requested()) {
             add_node(0, bounds_.size(), LightTree::none, 0, 0);
         }
     }
@@ -100,6 +102,9 @@ private:
         tree_.nodes_.emplace_back();
         tree_.nodes_[index].parent = parent;
         tree_.nodes_[index].place = place;
+        if (stop_.stop_requested()) {
+            return index;
+        }
         const std::vector<Part> parts = divided(begin, end, depth);
         for (std::uint32_t child = 0; child < parts.size(); ++child) {
             const Part& part = parts[child];
@@ -243,13 +248,14 @@ private:
     }
 
     LightTree& tree_;
+    const std::stop_token& stop_;
     std::vector<LightBounds> bounds_;     // Of lights with power, reordered.
     std::vector<std::uint32_t> numbers_;  // The lights in this order.
     float scale_ = 1.0F;                  // Makes the power of all lights 1.
 };
 
-LightTree::LightTree(std::span<const LightBounds> lights) {
-    LightTreeBuilder(*this, lights).build();
+LightTree::LightTree(std::span<const LightBounds> lights, const std::stop_token& stop) {
+    LightTreeBuilder(*this, lights, stop).build();
 }
 
 }  // namespace balcony::render
