@@ -50,6 +50,10 @@ struct ShardHeading {
 /// A file that is not a shard is an error.
 [[nodiscard]] Result<ShardHeading> read_shard_heading(const std::filesystem::path& file);
 
+/// Whether a file is a shard as long as its heading says. What it has of pixels is not read, so
+/// that damage there shows when it is merged.
+[[nodiscard]] bool is_whole_shard(const std::filesystem::path& file);
+
 /// The whole film of a picture from the files of all its shards, in any order, bit for bit that of
 /// an undivided render. A shard that is missing, damaged, twice there, or of a picture with other
 /// facts is an error, which names it.

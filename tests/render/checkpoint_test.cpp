@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include "balcony/shard.hpp"
 #include "film/sums/film_arrays.hpp"
 #include "support.hpp"
 
@@ -171,6 +172,22 @@ TEST_F(Checkpoint, LayersMayBeLeftOutButNotAdded) {
     EXPECT_NE(found.front().message.find("--layers was 'none' and is 'all'"), std::string::npos)
         << found.front().message;
     EXPECT_EQ(bytes_of(all), bytes_of(empty_film()));
+}
+
+// The file of a shard is as long as its parts say, at any place where it may end.
+TEST_F(Checkpoint, ATruncatedShardIsNotWhole) {
+    ASSERT_FALSE(has_errors(
+        write_shard(filled_film(), {.shard = {0, 3}, .facts = facts.sums, .finish = {}}, file)));
+    EXPECT_TRUE(is_whole_shard(file));
+    const std::string whole = contents();
+    for (std::size_t missing = 1; missing < whole.size(); missing += missing < 99 ? 1 : 997) {
+        fs::resize_file(file, whole.size() - missing);
+        EXPECT_FALSE(is_whole_shard(file)) << missing;
+    }
+    replace(whole + "x");
+    EXPECT_FALSE(is_whole_shard(file));
+    fs::remove(file);
+    EXPECT_FALSE(is_whole_shard(file));
 }
 
 TEST_F(Checkpoint, DamagedFilesAreRefusedAndChangeNothing) {

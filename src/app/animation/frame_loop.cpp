@@ -77,14 +77,26 @@ fs::path FrameLoop::file_of(const FrameUnit& unit) const {
 }
 
 bool FrameLoop::is_finished(const FrameUnit& unit) {
-    const fs::path frame = animation_.pattern.file(unit.frame);
-    const bool is_there = record_.is_finished(frame);
-    const auto reason = is_there ? why_damaged(frame, FramePart::end) : std::nullopt;
-    if (reason) {
-        add_once({warning(fmt::format("frame {}: '{}' is damaged and is rendered again: {}",
-                                      unit.frame, frame.string(), reason->message))});
-    }
-    return (is_there && !reason) || (unit.part.count > 1 && record_.is_finished(file_of(unit)));
+    const auto is_whole = [&](const fs::path& file, const auto& damage_of) {
+        if (!record_.is_finished(file)) {
+            return false;
+        }
+        const std::optional<Diagnostic> damage = damage_of(file);
+        if (damage) {
+            add_once({warning(fmt::format("frame {}: '{}' is damaged and is rendered again: {}",
+                                          unit.frame, file.string(), damage->message))});
+        }
+        return !damage;
+    };
+    const auto damage_of_frame = [](const fs::path& file) {
+        return why_damaged(file, FramePart::end);
+    };
+    const auto damage_of_part = [](const fs::path& file) {
+        return render::is_whole_shard(file) ? std::nullopt
+                                            : std::optional(error("it is truncated"));
+    };
+    return is_whole(animation_.pattern.file(unit.frame), damage_of_frame) ||
+           (unit.part.count > 1 && is_whole(file_of(unit), damage_of_part));
 }
 
 bool FrameLoop::is_displayed() const {

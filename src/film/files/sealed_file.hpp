@@ -185,6 +185,17 @@ public:
         hash_.add(bytes);
         return stream_.good();
     }
+    // Passes over bytes. False if the file is shorter; the seal at its end is not known any more.
+    [[nodiscard]] bool pass_over(std::uintmax_t bytes) {
+        if (bytes > rest_) {
+            return false;
+        }
+        rest_ -= bytes;
+        stream_.seekg(static_cast<std::streamoff>(bytes), std::ios::cur);
+        return stream_.good();
+    }
+    // Whether no more than the seal is left.
+    [[nodiscard]] bool is_at_seal() const { return rest_ == sizeof(std::uint64_t); }
     // Whether the file begins with a signature of this kind; otherwise why not.
     [[nodiscard]] std::optional<std::string> begins_otherwise(std::string_view kind) {
         const std::string expected = signature_of(kind);

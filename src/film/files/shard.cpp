@@ -222,6 +222,19 @@ Result<ShardHeading> read_shard_heading(const fs::path& file) {
                   : Result<ShardHeading>(std::move(opened.diagnostics));
 }
 
+bool is_whole_shard(const fs::path& file) {
+    SealedReader input(file);
+    Result<OpenShard> opened = open_shard(input, file);
+    bool fits = static_cast<bool>(opened);
+    if (fits) {
+        for_each_array(opened->film, [&](const auto&) {
+            const auto size = fits ? input.read_size() : std::nullopt;
+            fits = size && input.pass_over(*size);
+        });
+    }
+    return fits && input.is_at_seal();
+}
+
 Result<Film> merge_shards(std::span<const fs::path> files) {
     std::optional<OpenShard> merged;
     std::vector<const fs::path*> found;
