@@ -174,6 +174,28 @@ TEST_F(Checkpoint, LayersMayBeLeftOutButNotAdded) {
     EXPECT_EQ(bytes_of(all), bytes_of(empty_film()));
 }
 
+// Of what this render does not need; the last array of a film is among them.
+TEST_F(Checkpoint, ArraysMayBeEmpty) {
+    const auto without = [](Film film) {
+        film.display.clear();
+        film.pixel_passes.clear();
+        film.means.emission.clear();
+        film.layers->motion.clear();
+        return film;
+    };
+    const Film film = without(filled_film());
+    ASSERT_FALSE(has_errors(write_checkpoint(film, facts, {}, file)));
+    Film read = without(empty_film());
+    ASSERT_FALSE(has_errors(read_checkpoint(read, facts, file)));
+    EXPECT_EQ(bytes_of(read), bytes_of(film));
+    // A film that needs them does not take those of a checkpoint as they are.
+    Film all = empty_film();
+    const Diagnostics found = read_checkpoint(all, facts, file);
+    ASSERT_TRUE(has_errors(found));
+    EXPECT_NE(found.front().message.find("it is damaged"), std::string::npos);
+    EXPECT_EQ(bytes_of(all), bytes_of(empty_film()));
+}
+
 // The file of a shard is as long as its parts say, at any place where it may end.
 TEST_F(Checkpoint, ATruncatedShardIsNotWhole) {
     ASSERT_FALSE(has_errors(
