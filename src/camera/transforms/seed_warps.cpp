@@ -138,19 +138,15 @@ std::string place_of(const PointList& points, std::size_t i) {
     return fmt::format("({})", fmt::join(place, ", "));
 }
 
-Diagnostics too_many(const PointList& points) {
-    if (points.size() <= max_seeds) {
-        return {};
-    }
-    return {error(fmt::format("{} seeds are too many", points.size()), {},
-                  fmt::format("give at most {}", max_seeds))};
-}
-
 /// Two seeds at the same position with different targets contradict each other, and even if they do
-/// not, the system of equations has no single solution.
-Diagnostics twins(const PointList& points) {
+/// not, the system of equations has no single solution without smoothing.
+Diagnostics check_seeds(const PointList& points, double smoothing) {
+    if (points.size() > max_seeds) {
+        return {error(fmt::format("{} seeds are too many", points.size()), {},
+                      fmt::format("give at most {}", max_seeds))};
+    }
     const std::size_t dimension = points.coordinates / 2;
-    for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t i = 0; smoothing == 0.0 && i < points.size(); ++i) {
         for (std::size_t k = i + 1; k < points.size(); ++k) {
             if (std::ranges::equal(points[i].first(dimension), points[k].first(dimension))) {
                 return {error(fmt::format("seeds {} and {} are both at {}", i + 1, k + 1,
@@ -165,11 +161,8 @@ Diagnostics twins(const PointList& points) {
 template <template <class> class Target>
 StageResult thin_plate(const Arguments& a) {
     const PointList& points = a.points("seeds");
-    if (Diagnostics diagnostics = too_many(points); !diagnostics.empty()) {
-        return diagnostics;
-    }
     const double smoothing = a.constant("smoothing");
-    if (Diagnostics diagnostics = twins(points); smoothing == 0.0 && !diagnostics.empty()) {
+    if (Diagnostics diagnostics = check_seeds(points, smoothing); !diagnostics.empty()) {
         return diagnostics;
     }
     Seeds seeds = seeds_of(points);
@@ -187,11 +180,8 @@ StageResult thin_plate(const Arguments& a) {
 template <template <class> class Target>
 StageResult inverse_distance(const Arguments& a) {
     const PointList& points = a.points("seeds");
-    if (Diagnostics diagnostics = too_many(points); !diagnostics.empty()) {
-        return diagnostics;
-    }
     const double smoothing = a.constant("smoothing");
-    if (Diagnostics diagnostics = twins(points); smoothing == 0.0 && !diagnostics.empty()) {
+    if (Diagnostics diagnostics = check_seeds(points, smoothing); !diagnostics.empty()) {
         return diagnostics;
     }
     return made<Target<InverseDistanceField>>(
