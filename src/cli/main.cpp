@@ -76,22 +76,9 @@ balcony::Result<std::vector<std::string>> words_from_the_last(const CLI::App& ap
 
 ExitCode run(CLI::App& app, const std::vector<std::string>& line, int argc, char** argv) {
     ExitCode code = ExitCode::done;
-    cli::add_render_command(app, code);
-    cli::add_animate_command(app, code);
-    cli::add_merge_command(app, code);
-    cli::add_check_command(app, code);
-    cli::add_explain_command(app, code);
-    cli::add_fmt_command(app, code);
-    cli::add_list_command(app, code);
-    cli::add_locate_command(app, code);
-    cli::add_info_command(app, code);
-    cli::add_draw_command(app, code);
-    cli::add_rays_command(app, code);
-    cli::add_stmap_command(app, code);
-    cli::add_warp_command(app, code);
-    cli::add_blend_command(app, code);
-    cli::add_export_command(app, code);
-    cli::add_pov_command(app, code);
+#define BALCONY_ADD(NAME) cli::add_##NAME##_command(app, code);
+    BALCONY_COMMANDS(BALCONY_ADD)
+#undef BALCONY_ADD
     // Looked up before the command line is parsed, since parsing may fail.
     const bool as_json = std::any_of(
         argv, argv + argc, [](const char* word) { return std::string_view(word) == "--json"; });

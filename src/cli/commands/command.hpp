@@ -69,26 +69,33 @@ private:
     std::vector<std::function<void(const app::GivenWords&, Diagnostics&)>> readers_;
 };
 
+// The subcommands in the order of the help, a row each. The file of NAME defines
+// add_NAME_command().
+#define BALCONY_COMMANDS(ROW) \
+    ROW(render)               \
+    ROW(animate)              \
+    ROW(merge)                \
+    ROW(check)                \
+    ROW(explain)              \
+    ROW(fmt)                  \
+    ROW(list)                 \
+    ROW(locate)               \
+    ROW(info)                 \
+    ROW(draw)                 \
+    ROW(rays)                 \
+    ROW(stmap)                \
+    ROW(warp)                 \
+    ROW(blend)                \
+    ROW(export)               \
+    ROW(pov)
+
 /// Each function adds its subcommand to the app. If the command line selects the subcommand,
 /// parsing runs it and stores its exit code in `code`. Results go to standard output, everything
 /// else to standard error. With --json, a subcommand prints one JSON object with a list
 /// "diagnostics".
-void add_render_command(CLI::App& app, ExitCode& code);
-void add_animate_command(CLI::App& app, ExitCode& code);
-void add_merge_command(CLI::App& app, ExitCode& code);
-void add_rays_command(CLI::App& app, ExitCode& code);
-void add_stmap_command(CLI::App& app, ExitCode& code);
-void add_warp_command(CLI::App& app, ExitCode& code);
-void add_blend_command(CLI::App& app, ExitCode& code);
-void add_check_command(CLI::App& app, ExitCode& code);
-void add_explain_command(CLI::App& app, ExitCode& code);
-void add_fmt_command(CLI::App& app, ExitCode& code);
-void add_list_command(CLI::App& app, ExitCode& code);
-void add_locate_command(CLI::App& app, ExitCode& code);
-void add_draw_command(CLI::App& app, ExitCode& code);
-void add_export_command(CLI::App& app, ExitCode& code);
-void add_info_command(CLI::App& app, ExitCode& code);
-void add_pov_command(CLI::App& app, ExitCode& code);
+#define BALCONY_DECLARE(NAME) void add_##NAME##_command(CLI::App& app, ExitCode& code);
+BALCONY_COMMANDS(BALCONY_DECLARE)
+#undef BALCONY_DECLARE
 
 /// The body of such a function. `describe` adds the options, whose values go to an Options; `run`
 /// is the subcommand. It is not called if a word cannot be read.
