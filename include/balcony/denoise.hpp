@@ -36,6 +36,9 @@ struct DenoiseOptions {
 struct DenoiseSummary {
     std::string used;  ///< For users: the library with its file, or the filter.
     double seconds = 0.0;
+    /// By Balcony's filter, the part of the picture's light in single bright specks that it took
+    /// for errors and left out.
+    double left_out = 0.0;
 };
 
 /// The layers that a film needs to be denoised, for FilmLayout::layers.

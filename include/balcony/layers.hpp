@@ -35,6 +35,8 @@ enum class LayerId : std::uint8_t {
     emission,
     direct,
     indirect,
+    direct_halves,
+    indirect_halves,
     mean_albedo,
     mean_normal,
     mean_position,

@@ -148,6 +148,7 @@ nlohmann::json facts_of(const app::Report& report) {
     }
     if (report.denoised) {
         facts["denoiser"] = report.denoised->used;
+        facts["left_out"] = report.denoised->left_out;
     }
     if (report.has_samples) {
         facts["exposure"] = report.exposure;
@@ -197,6 +198,11 @@ std::string text_of(const app::Report& report, const app::Request& request) {
     if (report.denoised) {
         text += fmt::format("  denoised by {} in {:.1f} s\n", report.denoised->used,
                             report.denoised->seconds);
+        if (report.denoised->left_out > 0.001) {
+            text +=
+                fmt::format("  without {:.1f} % of the light, which was in single bright specks\n",
+                            100.0 * report.denoised->left_out);
+        }
     }
     text += exposure_text(report);
     if (!report.checkpoint.empty()) {

@@ -5,16 +5,18 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <new>
 
 #include <fmt/format.h>
 
 #include "base/stopwatch.hpp"
-#include "film/denoise/feature_filter.hpp"
 #include "film/denoise/image_denoise_library.hpp"
+#include "film/denoise/light_filter.hpp"
+#include "film/denoise/surface_filter.hpp"
 #include "film/sums/layer_rows.hpp"
+#include "film/sums/sample_halves.hpp"
 #include "film/sums/tile_image.hpp"
+#include "images/luminance.hpp"
 
 namespace balcony::render {
 
@@ -45,124 +47,147 @@ Diagnostics check(const Film& film) {
     return {};
 }
 
-// Calls visit(x, y, at) for the pixels of a film; `at` is the index in an image of its window.
+Canvas canvas_of(const Film& film, std::size_t threads) {
+    return {film.window.width, film.window.height, threads};
+}
+
+// Calls visit(x, y, i) for the pixels of a film; i is the index in a plane.
 template <class Visit>
-void for_each_pixel_of(const Film& film, const NoisyImage& image, const Visit& visit) {
-    for_each_pixel(film.window, [&](std::size_t, std::size_t x, std::size_t y) {
-        visit(x, y, image.index(x - film.window.x, y - film.window.y));
+void for_each_pixel_of(const Film& film, const Visit& visit) {
+    for_each_pixel(film.window,
+                   [&](std::size_t i, std::size_t x, std::size_t y) { visit(x, y, i); });
+}
+
+std::array<Plane, 3> planes_of(const Film& film) {
+    std::array<Plane, 3> planes;
+    planes.fill(Plane(film.window.size()));
+    return planes;
+}
+
+std::array<Plane, 3> light_of(const Film& film) {
+    std::array<Plane, 3> light = planes_of(film);
+    for_each_pixel_of(film, [&](std::size_t x, std::size_t y, std::size_t i) {
+        const Color4f color = film.surface_light(x, y);
+        light[0][i] = color.r;
+        light[1][i] = color.g;
+        light[2][i] = color.b;
     });
+    return light;
 }
 
-// A variance that is itself estimated from few samples is smoothed: a pixel that no light path
-// found by chance would otherwise count as exact.
-void smooth_variances(NoisyImage& image) {
-    const auto stride = static_cast<std::ptrdiff_t>(image.stride());
-    for (std::size_t c = 0; c < image.channels(); ++c) {
-        const std::vector<float> before = image.variances(c);
-        for (std::size_t y = 0; y < image.height(); ++y) {
-            for (std::size_t x = 0; x < image.width(); ++x) {
-                const auto at = static_cast<std::ptrdiff_t>(image.index(x, y));
-                float sum = 0.0F;
-                for (std::ptrdiff_t down = -1; down <= 1; ++down) {
-                    for (std::ptrdiff_t right = -1; right <= 1; ++right) {
-                        sum += before[static_cast<std::size_t>(at + down * stride + right)];
-                    }
-                }
-                image.variances(c)[static_cast<std::size_t>(at)] = sum / 9.0F;
-            }
-        }
-    }
-    image.continue_beyond_border();
-}
-
-NoisyImage color_of(const Film& film) {
-    NoisyImage color(film.window.width, film.window.height, 3);
-    for_each_pixel_of(film, color, [&](std::size_t x, std::size_t y, std::size_t at) {
-        const Color4f light = film.surface_light(x, y);
-        const Color4d variance = film.variance(x, y);
-        const float lights[] = {light.r, light.g, light.b};
-        const double variances[] = {variance.r, variance.g, variance.b};
-        for (std::size_t c = 0; c < 3; ++c) {
-            color.values(c)[at] = lights[c];
-            color.variances(c)[at] = static_cast<float>(variances[c] / film.samples(x, y));
-        }
-    });
-    color.continue_beyond_border();
-    smooth_variances(color);
-    return color;
-}
-
-NoisyImage moments_of(const Film& film, const std::vector<Moments>& moments) {
-    NoisyImage feature(film.window.width, film.window.height, 3);
-    for_each_pixel_of(film, feature, [&](std::size_t x, std::size_t y, std::size_t at) {
-        const Moments& of_pixel = moments[film.index(x, y)];
-        const auto samples = static_cast<float>(film.samples(x, y));
+std::array<Plane, 3> emission_of(const Film& film) {
+    std::array<Plane, 3> light = planes_of(film);
+    for_each_pixel_of(film, [&](std::size_t x, std::size_t y, std::size_t i) {
+        const V3f mean(film.means.emission[i] / film.samples(x, y));
         for (int c = 0; c < 3; ++c) {
-            const auto channel = static_cast<std::size_t>(c);
-            feature.values(channel)[at] = of_pixel.mean[c];
-            feature.variances(channel)[at] = of_pixel.squares[c] / (samples * (samples - 1.0F));
+            light[static_cast<std::size_t>(c)][i] = mean[c];
         }
     });
-    feature.continue_beyond_border();
-    return feature;
+    return light;
 }
 
-// Albedo, normal and position, each without its own noise.
-NoisyImage features_of(const Film& film, std::size_t threads) {
-    NoisyImage all(film.window.width, film.window.height, 9);
-    std::size_t channel = 0;
-    for (const std::vector<Moments>* moments :
-         {&film.means.albedo, &film.means.normal, &film.means.position}) {
-        NoisyImage feature = moments_of(film, *moments);
-        smooth(feature, 1.0F, threads);
-        for (std::size_t c = 0; c < 3; ++c) {
-            all.values(channel++) = std::move(feature.values(c));
+std::array<Plane, 3> means_of(const Film& film, const std::vector<Moments>& moments) {
+    std::array<Plane, 3> means = planes_of(film);
+    for (std::size_t i = 0; i < moments.size(); ++i) {
+        for (int c = 0; c < 3; ++c) {
+            means[static_cast<std::size_t>(c)][i] = moments[i].mean[c];
         }
     }
-    return all;
+    return means;
 }
 
-std::vector<float> interleaved(const NoisyImage& image) {
+// The means of both halves of the samples, from their sum and their difference.
+template <class SumOf>
+Halves halves_of(const Film& film, const std::vector<V3f>& differences, const SumOf& sum_of) {
+    Halves halves;
+    halves.fill(Plane(film.window.size()));
+    for_each_pixel_of(film, [&](std::size_t x, std::size_t y, std::size_t i) {
+        const std::uint32_t samples = film.samples(x, y);
+        const V3d sum = sum_of(x, y, i);
+        const V3d difference(differences[i]);
+        const std::uint32_t first = first_half_of(samples);
+        const V3f mean_of_first((sum + difference) / (2.0 * first));
+        const V3f mean_of_rest((sum - difference) / (2.0 * (samples - first)));
+        for (int c = 0; c < 3; ++c) {
+            halves[static_cast<std::size_t>(c)][i] = mean_of_first[c];
+            halves[static_cast<std::size_t>(c) + 3][i] = mean_of_rest[c];
+        }
+    });
+    return halves;
+}
+
+double luminance_of(const std::array<Plane, 3>& light) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < light[0].size(); ++i) {
+        sum += double{luminance(Color3f(light[0][i], light[1][i], light[2][i]))};
+    }
+    return sum;
+}
+
+// Returns the part of the light that is left out.
+double filter_by_features(const Film& film, std::size_t threads, std::array<Plane, 3>& light) {
+    const Canvas canvas = canvas_of(film, threads);
+    const MeanLayers& means = film.means;
+    const SurfaceFilter surfaces({means_of(film, means.normal), means_of(film, means.position),
+                                  means_of(film, means.albedo)},
+                                 canvas);
+    const double before = luminance_of(light);
+    // Direct light has sharp shadows, indirect light more noise.
+    const FilteredLight direct = filtered(
+        halves_of(film, means.direct_halves,
+                  [&](std::size_t, std::size_t, std::size_t i) { return means.direct[i]; }),
+        surfaces, 1);
+    const FilteredLight indirect = filtered(
+        halves_of(film, means.indirect_halves,
+                  [&](std::size_t, std::size_t, std::size_t i) {
+                      const Color4d& sum = film.sum[i];
+                      return V3d(sum.r, sum.g, sum.b) - means.emission[i] - means.direct[i];
+                  }),
+        surfaces, 3);
+    light = emission_of(film);
+    for (std::size_t c = 0; c < light.size(); ++c) {
+        for_each_pixel(canvas, [&](std::size_t i) {
+            light[c][i] += direct.light[c][i] + indirect.light[c][i];
+        });
+    }
+    return before > 0.0 ? (direct.left_out + indirect.left_out) / before : 0.0;
+}
+
+std::vector<float> interleaved(const std::array<Plane, 3>& planes) {
     std::vector<float> made;
-    made.reserve(3 * image.width() * image.height());
-    for_each_pixel({0, 0, image.width(), image.height()},
-                   [&](std::size_t, std::size_t x, std::size_t y) {
-                       for (std::size_t c = 0; c < 3; ++c) {
-                           made.push_back(image.values(c)[image.index(x, y)]);
-                       }
-                   });
+    made.reserve(3 * planes[0].size());
+    for (std::size_t i = 0; i < planes[0].size(); ++i) {
+        made.insert(made.end(), {planes[0][i], planes[1][i], planes[2][i]});
+    }
     return made;
 }
 
 Diagnostics filter_by_library(const Film& film, const ImageDenoiseLibrary& library,
-                              NoisyImage& color) {
-    std::vector<float> light = interleaved(color);
-    std::vector<float> albedo = interleaved(moments_of(film, film.means.albedo));
-    std::vector<float> normal = interleaved(moments_of(film, film.means.normal));
-    if (Diagnostics found = library.filter(color.width(), color.height(), light, albedo, normal);
+                              std::array<Plane, 3>& light) {
+    std::vector<float> color = interleaved(light);
+    std::vector<float> albedo = interleaved(means_of(film, film.means.albedo));
+    std::vector<float> normal = interleaved(means_of(film, film.means.normal));
+    if (Diagnostics found =
+            library.filter(film.window.width, film.window.height, color, albedo, normal);
         !found.empty()) {
         return found;
     }
-    for_each_pixel({0, 0, color.width(), color.height()},
-                   [&](std::size_t i, std::size_t x, std::size_t y) {
-                       for (std::size_t c = 0; c < 3; ++c) {
-                           color.values(c)[color.index(x, y)] = light[3 * i + c];
-                       }
-                   });
+    for (std::size_t k = 0; k < color.size(); ++k) {
+        light[k % 3][k / 3] = color[k];
+    }
     return {};
 }
 
-void store(const NoisyImage& color, Film& film) {
+void store(const std::array<Plane, 3>& light, Film& film) {
     film.noisy = film.sum;
     if (!film.layer_set.empty()) {
         film.layer_set.insert(LayerId::noisy);
     }
-    for_each_pixel_of(film, color, [&](std::size_t x, std::size_t y, std::size_t at) {
-        Color4d& sum = film.sum[film.index(x, y)];
+    for_each_pixel_of(film, [&](std::size_t x, std::size_t y, std::size_t i) {
         const double samples = film.samples(x, y);
-        sum.r = samples * static_cast<double>(color.values(0)[at]);
-        sum.g = samples * static_cast<double>(color.values(1)[at]);
-        sum.b = samples * static_cast<double>(color.values(2)[at]);
+        film.sum[i].r = samples * double{light[0][i]};
+        film.sum[i].g = samples * double{light[1][i]};
+        film.sum[i].b = samples * double{light[2][i]};
     });
 }
 
@@ -171,7 +196,9 @@ void store(const NoisyImage& color, Film& film) {
 Names<Denoiser> denoisers() { return Names<Denoiser>(denoiser_rows); }
 
 LayerSet denoise_layers() {
-    return {LayerId::mean_albedo, LayerId::mean_normal, LayerId::mean_position, LayerId::variance};
+    return {LayerId::emission,        LayerId::direct,      LayerId::direct_halves,
+            LayerId::indirect_halves, LayerId::mean_albedo, LayerId::mean_normal,
+            LayerId::mean_position};
 }
 
 Result<DenoiseSummary> denoise(Film& film, const DenoiseOptions& options) {
@@ -181,7 +208,7 @@ Result<DenoiseSummary> denoise(Film& film, const DenoiseOptions& options) {
     const Stopwatch watch;
     try {
         Diagnostics warnings;
-        NoisyImage color = color_of(film);
+        std::array<Plane, 3> light = light_of(film);
         const auto library = options.denoiser == Denoiser::features
                                  ? std::nullopt
                                  : ImageDenoiseLibrary::load(options.library);
@@ -191,7 +218,7 @@ Result<DenoiseSummary> denoise(Film& film, const DenoiseOptions& options) {
         }
         bool done = false;
         if (library) {
-            const Diagnostics found = filter_by_library(film, *library, color);
+            const Diagnostics found = filter_by_library(film, *library, light);
             done = found.empty();
             if (!done && options.denoiser == Denoiser::library) {
                 return found;
@@ -201,12 +228,11 @@ Result<DenoiseSummary> denoise(Film& film, const DenoiseOptions& options) {
                     warning(failed.message + "; Balcony's own filter is used instead"));
             }
         }
-        if (!done) {
-            color = regressed(color, features_of(film, options.threads), options.threads);
-        }
-        store(color, film);
-        return {DenoiseSummary{done ? library->name() : "Balcony's filter", watch.seconds()},
-                std::move(warnings)};
+        const double left_out = done ? 0.0 : filter_by_features(film, options.threads, light);
+        store(light, film);
+        return {
+            DenoiseSummary{done ? library->name() : "Balcony's filter", watch.seconds(), left_out},
+            std::move(warnings)};
     } catch (const std::bad_alloc&) {
         return error(Kind::environment, "out of memory while denoising",
                      "make the picture smaller");

@@ -72,7 +72,7 @@ constexpr LayerRow sums(const LayerInfo& info) {
     return {info, allocate<Member>, complete<Member>,
             [](const Film& film, std::size_t x, std::size_t y, float* channels) {
                 const std::uint32_t samples = std::max(film.samples(x, y), 1U);
-                put(V3f((*vector_of(film, Member))[film.index(x, y)] / samples), channels);
+                put(V3f(V3d((*vector_of(film, Member))[film.index(x, y)]) / samples), channels);
             }};
 }
 
@@ -228,6 +228,12 @@ constexpr std::array rows{
               "the other light: several surfaces reflect or refract it, or it is ambient light",
               mean, false, 0, 1, LayerSet{emission, direct}},
              read_indirect),
+    sums<&MeanLayers::direct_halves>(
+        {direct_halves, "direct_halves", "RGB",
+         "half the difference of `direct` between two halves of the samples: as large as its noise",
+         mean, false, 12}),
+    sums<&MeanLayers::indirect_halves>(
+        {indirect_halves, "indirect_halves", "RGB", "the same for `indirect`", mean, false, 12}),
     values<&MeanLayers::albedo>({mean_albedo, "mean_albedo", "RGB",
                                  "base colour, averaged, as denoisers expect it", mean, false, 24}),
     values<&MeanLayers::normal>({mean_normal, "mean_normal", "XYZ",

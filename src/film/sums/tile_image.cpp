@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "film/sums/sample_halves.hpp"
 #include "film/sums/sample_sums.hpp"
 
 namespace balcony::render {
@@ -37,7 +38,7 @@ void write_data(DataLayers& layers, std::size_t at, const PointData& data) {
 }
 
 // The sample with number `count`, from 1.
-void add_means(MeanLayers& means, std::size_t at, std::uint32_t count,
+void add_means(MeanLayers& means, std::size_t at, std::uint32_t count, const Color4f& light,
                std::span<const Contribution> contributions) {
     Color3f emission(0.0F);
     Color3f direct(0.0F);
@@ -71,6 +72,13 @@ void add_means(MeanLayers& means, std::size_t at, std::uint32_t count,
     };
     sum(means.emission, emission);
     sum(means.direct, direct);
+    const auto add_or_subtract = [at, count](std::vector<V3f>& halves, const V3f& value) {
+        if (!halves.empty()) {
+            halves[at] += in_first_half(count - 1) ? value : -value;
+        }
+    };
+    add_or_subtract(means.direct_halves, direct);
+    add_or_subtract(means.indirect_halves, V3f(light.r, light.g, light.b) - emission - direct);
     const auto average = [&](std::vector<Moments>& moments, const V3f& value) {
         if (!moments.empty()) {
             moments[at].add(value, count);
@@ -143,7 +151,8 @@ void add_pass(Film& film, std::size_t tile, const TileImage& image) {
     }
     if (!image.contributions.empty()) {
         for_each_sample([&](std::size_t i, std::size_t at) {
-            add_means(film.means, at, film.passes[tile] + 1, image.contributions[i]);
+            add_means(film.means, at, film.passes[tile] + 1, image.light[i],
+                      image.contributions[i]);
         });
     }
     ++film.passes[tile];
