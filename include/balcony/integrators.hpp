@@ -46,6 +46,12 @@ struct PathSettings {
     /// Groups of eight neighbouring pixels share the light that their paths find, with less noise
     /// in the same time and the same mean. Otherwise each pixel is independent of the others.
     bool reuse = true;
+    /// Before the picture, rays find where the light of environments and suns enters the rooms that
+    /// it shows, so that this light is sampled there, with less noise and the same mean.
+    bool probes_windows = true;
+    /// Otherwise, mirrors and glass that are seen by light which a surface has scattered are
+    /// blurred, less from pass to pass, so that lamps in them do not make bright specks.
+    bool exact = false;
     /// The largest contribution of indirect light to a sample, in each channel; 0 is no limit. A
     /// limit removes bright specks, and with them some of the light.
     float clamp_indirect = 0.0F;

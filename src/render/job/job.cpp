@@ -12,6 +12,7 @@
 #include "film/sums/layer_rows.hpp"
 #include "render/job/check_settings.hpp"
 #include "render/job/coarse_rays.hpp"
+#include "render/job/distant_probes.hpp"
 #include "render/job/lighting.hpp"
 #include "render/job/point_blender.hpp"
 #include "render/job/renderer_state.hpp"
@@ -134,7 +135,8 @@ Diagnostics compile(const camera::Picture& picture, const PictureInputs& inputs,
 }
 
 // Chooses what the settings leave open of the light.
-void choose_light(JobParts& parts, PictureRays& rays, const Film& film) {
+void choose_light(JobParts& parts, PictureRays& rays, const Film& film,
+                  const std::stop_token& stop) {
     Settings& settings = parts.settings;
     if (parts.integrator->traces_environment) {
         Lighting lighting = lighting_of(parts.traced, rays, film, settings);
@@ -142,6 +144,10 @@ void choose_light(JobParts& parts, PictureRays& rays, const Film& film) {
         parts.light = std::move(lighting.description);
         parts.substitute = lighting.substitute;
         settings.ambient = Color3f(0.0F);
+        if (settings.path.probes_windows) {
+            parts.traced.lights = parts.traced.lights.with(
+                distant_visibility(parts.traced, rays, film, settings.time, stop));
+        }
     } else if (!settings.ambient) {
         settings.ambient = ambient_of(parts.traced, rays, film, settings.time);
     }
@@ -242,7 +248,10 @@ Result<Job> Job::make(const Renderer& renderer, const camera::Picture& picture,
         if (stop.stop_requested()) {
             return stopped();
         }
-        choose_light(*parts, rays, film);
+        choose_light(*parts, rays, film, stop);
+        if (stop.stop_requested()) {
+            return stopped();
+        }
         prepare(film, *parts);
         parts->motion = motion_of(traced, parts->picture, settings, film);
         parts->compile_seconds = watch.seconds();

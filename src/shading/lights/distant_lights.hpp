@@ -4,12 +4,15 @@
 
 // Light from infinitely far away: an environment and suns.
 
+#include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <Imath/ImathMatrix.h>
 
 #include "balcony/scene.hpp"
+#include "shading/lights/distant_visibility.hpp"
 #include "shading/lights/environment_state.hpp"
 #include "shading/lights/sun.hpp"
 
@@ -36,19 +39,28 @@ public:
     [[nodiscard]] bool has_radiance() const { return has_radiance_; }
     [[nodiscard]] Imath::Color3f radiance(const Imath::V3f& direction) const;
 
-    /// An estimate of the light on a surface with this normal, which is 0 for all sides.
-    [[nodiscard]] float illuminance(const Imath::V3f& normal) const;
+    /// An estimate of the light that a surface receives.
+    [[nodiscard]] float illuminance(const DistantReceiver& at) const;
 
-    [[nodiscard]] std::optional<Sample> sample(const Imath::V3f& normal,
+    [[nodiscard]] std::optional<Sample> sample(const DistantReceiver& at,
                                                const Imath::V3f& random) const;
-    [[nodiscard]] float pdf(const Imath::V3f& normal, const Imath::V3f& direction) const;
+    [[nodiscard]] float pdf(const DistantReceiver& at, const Imath::V3f& direction) const;
+
+    /// What reaches a point. `passed` tells how much light passes along a direction, from 0 to 1.
+    [[nodiscard]] DistantProbe probe(
+        const Imath::V3f& position, std::span<const Imath::V2f> random,
+        const std::function<float(const Imath::V3f& to_light)>& passed) const;
 
 private:
-    /// Half of the samples go to all lights evenly, since their shadows are not known, and half by
-    /// the illuminance.
+    // The illuminance of the environment and of a sun.
+    [[nodiscard]] float of_environment(const DistantReceiver& at) const;
+    [[nodiscard]] float of_sun(std::size_t sun, const DistantReceiver& at) const;
+
+    /// A part of the samples goes to all lights evenly, since not all shadows are known, and the
+    /// rest by the illuminance.
     class Shares {
     public:
-        Shares(const DistantLights& lights, const Imath::V3f& normal);
+        Shares(const DistantLights& lights, const DistantReceiver& at);
         [[nodiscard]] float operator()(float illuminance) const {
             return illuminance > 0.0F ? even_ + by_illuminance_ * illuminance : 0.0F;
         }
@@ -58,11 +70,11 @@ private:
         float by_illuminance_ = 0.0F;
     };
 
-    [[nodiscard]] Imath::V3f sample_environment(const Imath::V3f& normal,
+    [[nodiscard]] Imath::V3f sample_environment(const DistantReceiver& at,
                                                 const Imath::V2f& random) const;
-    [[nodiscard]] float pdf_of_environment(const Imath::V3f& normal,
+    [[nodiscard]] float pdf_of_environment(const DistantReceiver& at,
                                            const Imath::V3f& direction) const;
-    [[nodiscard]] float pdf(const Shares& share, const Imath::V3f& normal,
+    [[nodiscard]] float pdf(const Shares& share, const DistantReceiver& at,
                             const Imath::V3f& direction) const;
 
     std::vector<Sun> suns_;

@@ -53,19 +53,33 @@ double accumulate(std::span<const double> values, std::span<float> cumulative) {
 struct Chosen {
     std::size_t cell = 0;
     float within = 0.0F;
-    float probability = 0.0F;
 };
 
+// The cumulative probabilities end anywhere above where they begin.
 Chosen choose(std::span<const float> cumulative, float random) {
+    const float wanted = cumulative.front() + random * (cumulative.back() - cumulative.front());
     // The first border above the number; cells of probability 0 end at or below it.
-    const auto above = std::upper_bound(cumulative.begin() + 1, cumulative.end() - 1, random);
+    const auto above = std::upper_bound(cumulative.begin() + 1, cumulative.end() - 1, wanted);
     auto cell = static_cast<std::size_t>(above - cumulative.begin()) - 1;
     // The number may exceed all cells that have a probability only by rounding.
     while (cell > 0 && cumulative[cell + 1] <= cumulative[cell]) {
         --cell;
     }
     const float probability = cumulative[cell + 1] - cumulative[cell];
-    return {cell, std::clamp((random - cumulative[cell]) / probability, 0.0F, 1.0F), probability};
+    return {cell, std::clamp((wanted - cumulative[cell]) / probability, 0.0F, 1.0F)};
+}
+
+// The next multiple of a number of sectors that is not below a number of pixels.
+std::size_t cells_for(std::size_t pixels, std::size_t sectors, std::size_t most) {
+    return std::min((pixels + sectors - 1) / sectors * sectors, most);
+}
+
+// How many of some pixels lie in one of the cells that divide the same length, or across its
+// borders.
+std::size_t overlaps(std::size_t cell, std::size_t cells, std::size_t pixels) {
+    const std::size_t first = cell * pixels / cells;
+    const std::size_t end = ((cell + 1) * pixels + cells - 1) / cells;
+    return end - first;
 }
 
 }  // namespace
@@ -100,22 +114,31 @@ EnvironmentMap::Sample EnvironmentMap::sample(const V2f& random) const {
     const Chosen row = choose(cumulative_rows_, random.x);
     const Chosen column = choose(
         std::span(cumulative_columns_).subspan(row.cell * (columns_ + 1), columns_ + 1), random.y);
-    const float top = cosines_[row.cell];
-    const float band = top - cosines_[row.cell + 1];
-    const float z = top - row.within * band;
-    const float part =
-        (static_cast<float>(column.cell) + column.within) / static_cast<float>(columns_);
-    const float longitude = pi_v<float> * (1.0F - 2.0F * part);
-    const float across = std::sqrt(std::max(0.0F, 1.0F - z * z));
-    const float solid_angle = 2.0F * pi_v<float> * band / static_cast<float>(columns_);
-    return {{across * std::cos(longitude), across * std::sin(longitude), z},
-            row.probability * column.probability / solid_angle};
+    return sample_cell(row.cell, column.cell, {row.within, column.within});
 }
 
-float EnvironmentMap::pdf(const V3f& direction) const {
-    const V2f point = picture_point(direction);
-    const std::size_t row = cell_of(point.y, rows_);
-    const std::size_t column = cell_of(point.x, columns_);
+EnvironmentMap::Sample EnvironmentMap::sample(std::size_t sector, const V2f& random) const {
+    const std::size_t columns = columns_ / sector_columns;
+    const Chosen row = choose(rows_of(sector), random.x);
+    const std::size_t at = sector / sector_columns * (rows_ / sector_rows) + row.cell;
+    const std::size_t first = sector % sector_columns * columns;
+    const Chosen column = choose(
+        std::span(cumulative_columns_).subspan(at * (columns_ + 1) + first, columns + 1), random.y);
+    return sample_cell(at, first + column.cell, {row.within, column.within});
+}
+
+EnvironmentMap::Sample EnvironmentMap::sample_cell(std::size_t row, std::size_t column,
+                                                   const V2f& within) const {
+    const float top = cosines_[row];
+    const float band = top - cosines_[row + 1];
+    const float z = top - within.x * band;
+    const float part = (static_cast<float>(column) + within.y) / static_cast<float>(columns_);
+    const float longitude = pi_v<float> * (1.0F - 2.0F * part);
+    const float across = std::sqrt(std::max(0.0F, 1.0F - z * z));
+    return {{across * std::cos(longitude), across * std::sin(longitude), z}, density(row, column)};
+}
+
+float EnvironmentMap::density(std::size_t row, std::size_t column) const {
     const std::size_t first = row * (columns_ + 1) + column;
     const float probability = (cumulative_rows_[row + 1] - cumulative_rows_[row]) *
                               (cumulative_columns_[first + 1] - cumulative_columns_[first]);
@@ -123,12 +146,34 @@ float EnvironmentMap::pdf(const V3f& direction) const {
     return probability * static_cast<float>(columns_) / (2.0F * pi_v<float> * band);
 }
 
-// The weight of a pixel is its part of the interpolated picture: 3/4 of its own luminance and an
-// eighth of each neighbour's, in both dimensions, by the solid angle. So no cell with light has
-// probability 0.
+float EnvironmentMap::pdf(const V3f& direction) const {
+    const V2f point = picture_point(direction);
+    return density(cell_of(point.y, rows_), cell_of(point.x, columns_));
+}
+
+std::size_t EnvironmentMap::sector_of(const V3f& direction) {
+    const V2f point = picture_point(direction);
+    return cell_of(point.y, sector_rows) * sector_columns + cell_of(point.x, sector_columns);
+}
+
+// By row of the sector, cumulative.
+std::span<const float> EnvironmentMap::rows_of(std::size_t sector) const {
+    const std::size_t rows = rows_ / sector_rows;
+    return std::span(sector_rows_)
+        .subspan(sector % sector_columns * (rows_ + 1) + sector / sector_columns * rows, rows + 1);
+}
+
+float EnvironmentMap::probability(std::size_t sector) const {
+    const std::span<const float> rows = rows_of(sector);
+    return rows.back() - rows.front();
+}
+
+// The weight of a cell is its solid angle times the mean of its pixels. That of a pixel is its part
+// of the interpolated picture: 3/4 of its own luminance and an eighth of each neighbour's, in both
+// dimensions. So no cell with light has probability 0.
 void EnvironmentMap::build_distribution(const std::stop_token& stop) {
-    columns_ = std::min(width_, max_columns);
-    rows_ = std::min(height_, max_rows);
+    columns_ = cells_for(width_, sector_columns, max_columns);
+    rows_ = cells_for(height_, sector_rows, max_rows);
     cosines_.resize(rows_ + 1);
     for (std::size_t row = 0; row <= rows_; ++row) {
         cosines_[row] = std::cos(pi_v<float> * static_cast<float>(row) / static_cast<float>(rows_));
@@ -158,23 +203,45 @@ void EnvironmentMap::build_distribution(const std::stop_token& stop) {
             const Color3f mean = 0.125F * smoothed(x, y > 0 ? y - 1 : y) + 0.75F * smoothed(x, y) +
                                  0.125F * smoothed(x, std::min(y + 1, height_ - 1));
             for_each_cell(x, y, [&](std::size_t cell) {
-                weights[cell] += band * static_cast<double>(luminance(mean));
+                weights[cell] += static_cast<double>(luminance(mean));
             });
             sum += band * Imath::Color3<double>(mean);
         }
         solid_angle += band * static_cast<double>(width_);
     }
     mean_ = Color3f(sum / solid_angle);
+    for (std::size_t row = 0; row < rows_; ++row) {
+        const double band = static_cast<double>(cosines_[row] - cosines_[row + 1]) /
+                            static_cast<double>(overlaps(row, rows_, height_));
+        for (std::size_t column = 0; column < columns_; ++column) {
+            weights[row * columns_ + column] *=
+                band / static_cast<double>(overlaps(column, columns_, width_));
+        }
+    }
+    accumulate_weights(weights);
+}
 
+void EnvironmentMap::accumulate_weights(std::span<const double> weights) {
     cumulative_columns_.resize(rows_ * (columns_ + 1));
     std::vector<double> row_weights(rows_);
     for (std::size_t row = 0; row < rows_; ++row) {
         row_weights[row] =
-            accumulate(std::span(weights).subspan(row * columns_, columns_),
+            accumulate(weights.subspan(row * columns_, columns_),
                        std::span(cumulative_columns_).subspan(row * (columns_ + 1), columns_ + 1));
     }
     cumulative_rows_.resize(rows_ + 1);
-    accumulate(row_weights, cumulative_rows_);
+    const double total = accumulate(row_weights, cumulative_rows_);
+    sector_rows_.resize(sector_columns * (rows_ + 1));
+    const std::size_t columns = columns_ / sector_columns;
+    for (std::size_t part = 0; total > 0.0 && part < sector_columns; ++part) {
+        double sum = 0.0;
+        for (std::size_t row = 0; row < rows_; ++row) {
+            for (const double weight : weights.subspan(row * columns_ + part * columns, columns)) {
+                sum += weight / total;
+            }
+            sector_rows_[part * (rows_ + 1) + row + 1] = static_cast<float>(sum);
+        }
+    }
 }
 
 }  // namespace balcony::render

@@ -87,6 +87,16 @@ LightSet LightSet::with(const std::optional<Environment>& environment,
     return made;
 }
 
+LightSet LightSet::with(std::shared_ptr<const DistantVisibility> visibility) const {
+    LightSet made = *this;
+    made.visibility_ = std::move(visibility);
+    return made;
+}
+
+DistantReceiver LightSet::receiver(const LitPoint& point) const {
+    return {point.normal, visibility_ ? &visibility_->at(point.position) : nullptr};
+}
+
 LightSet LightSet::lit_from_eye() const {
     LightSet made = *this;
     made.lit_from_eye_ = true;
@@ -96,11 +106,11 @@ LightSet LightSet::lit_from_eye() const {
 std::size_t LightSet::emissive_triangles() const { return finite_->triangles.count(); }
 
 // Half evenly, since shadows are not known, and half by the light that would arrive without them.
-float LightSet::probability_of_distant(const LitPoint& point) const {
+float LightSet::probability_of_distant(const LitPoint& point, const DistantReceiver& at) const {
     if (distant_->empty() || finite_->tree->empty()) {
         return distant_->empty() ? 0.0F : 1.0F;
     }
-    const float distant = distant_->illuminance(point.normal);
+    const float distant = distant_->illuminance(at);
     const float all = distant + finite_->tree->illuminance(point.position, point.normal);
     return 0.25F + 0.5F * (all > 0.0F && std::isfinite(all) ? distant / all : 0.5F);
 }
@@ -109,7 +119,8 @@ std::optional<LightSample> LightSet::sample(const LitPoint& point, const V3f& ra
     if (lit_from_eye_) {
         return LightSample{point.to_viewer, 0.0F, eye_irradiance, 1.0F, true};
     }
-    const float distant = probability_of_distant(point);
+    const DistantReceiver at = receiver(point);
+    const float distant = probability_of_distant(point, at);
     const bool chosen = random.x < distant;
     const float probability = chosen ? distant : 1.0F - distant;
     if (!(probability > 0.0F)) {
@@ -118,16 +129,16 @@ std::optional<LightSample> LightSet::sample(const LitPoint& point, const V3f& ra
     const float rest = chosen ? rest_below(random.x, distant) : rest_above(random.x, distant);
     const V3f numbers(rest, random.y, random.z);
     std::optional<LightSample> sample =
-        chosen ? sample_distant(point, numbers) : sample_finite(point, numbers);
+        chosen ? sample_distant(at, numbers) : sample_finite(point, numbers);
     if (sample) {
         sample->pdf *= probability;
     }
     return sample;
 }
 
-std::optional<LightSample> LightSet::sample_distant(const LitPoint& point,
+std::optional<LightSample> LightSet::sample_distant(const DistantReceiver& at,
                                                     const V3f& random) const {
-    const auto found = distant_->sample(point.normal, random);
+    const auto found = distant_->sample(at, random);
     return found
                ? std::optional(LightSample{found->to_light, std::numeric_limits<float>::infinity(),
                                            found->radiance, found->pdf, found->delta})
@@ -183,7 +194,7 @@ float LightSet::pdf_of_emitter(const LitPoint& point, const V3f& to_light, float
         finite_->tree->probability(point.position, point.normal, finite_->lamps.size() + *run) /
         static_cast<float>(triangles.runs()[*run].count);
     const float density = pdf_of_triangle(shape, point.position, to_light, distance);
-    return (1.0F - probability_of_distant(point)) * probability * density;
+    return (1.0F - probability_of_distant(point, receiver(point))) * probability * density;
 }
 
 Color3f LightSet::radiance_from(const V3f& direction) const {
@@ -191,7 +202,8 @@ Color3f LightSet::radiance_from(const V3f& direction) const {
 }
 
 float LightSet::pdf_of_distant(const LitPoint& point, const V3f& direction) const {
-    return probability_of_distant(point) * distant_->pdf(point.normal, direction);
+    const DistantReceiver at = receiver(point);
+    return probability_of_distant(point, at) * distant_->pdf(at, direction);
 }
 
 bool LightSet::has_distant() const { return distant_->has_radiance(); }

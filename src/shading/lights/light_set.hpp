@@ -46,6 +46,9 @@ struct LightSample {
     embree::Hit emitter{};
 };
 
+class DistantLights;
+struct DistantReceiver;
+class DistantVisibility;
 class TextureLibrary;
 
 /// All lights of a scene, which must outlive the set. Copies share their data.
@@ -60,6 +63,12 @@ public:
     /// radians.
     [[nodiscard]] LightSet with(const std::optional<Environment>& environment,
                                 const std::optional<double>& sun_angle = {}) const;
+
+    /// The same with an estimate of what of the distant light reaches each place. It changes how
+    /// lights are chosen.
+    [[nodiscard]] LightSet with(std::shared_ptr<const DistantVisibility> visibility) const;
+    /// What reaches a point, for such an estimate.
+    [[nodiscard]] const DistantLights& distant() const { return *distant_; }
 
     /// The same with a light at the viewer of each path, without falloff.
     [[nodiscard]] LightSet lit_from_eye() const;
@@ -103,16 +112,19 @@ public:
 private:
     struct Finite;
 
-    [[nodiscard]] float probability_of_distant(const LitPoint& point) const;
-    [[nodiscard]] std::optional<LightSample> sample_distant(const LitPoint& point,
+    [[nodiscard]] float probability_of_distant(const LitPoint& point,
+                                               const DistantReceiver& at) const;
+    [[nodiscard]] std::optional<LightSample> sample_distant(const DistantReceiver& at,
                                                             const Imath::V3f& random) const;
+    [[nodiscard]] DistantReceiver receiver(const LitPoint& point) const;
     [[nodiscard]] std::optional<LightSample> sample_finite(const LitPoint& point,
                                                            const Imath::V3f& random) const;
 
     const scene::Scene* scene_;
     std::shared_ptr<const Finite> finite_;
-    std::shared_ptr<const class DistantLights> distant_;
-    bool lit_from_eye_ = false;  // And by nothing else.
+    std::shared_ptr<const DistantLights> distant_;
+    std::shared_ptr<const DistantVisibility> visibility_;  // Null: not known.
+    bool lit_from_eye_ = false;                            // And by nothing else.
 };
 
 }  // namespace balcony::render
