@@ -43,7 +43,7 @@ enum class LampSampling : std::uint8_t {
 struct PathSettings {
     BounceLimits bounces{};
     LampSampling lamp_sampling = LampSampling::both;
-    /// Groups of eight neighbouring pixels share the light that their paths find, with less noise
+    /// Groups of eight nearby pixels share the light that their paths find, with less noise
     /// in the same time and the same mean. Otherwise each pixel is independent of the others.
     bool reuse = true;
     /// Before the picture, rays find where the light of environments and suns enters the rooms that

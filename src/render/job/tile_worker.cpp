@@ -8,27 +8,27 @@
 #include "base/stopwatch.hpp"
 #include "render/job/adaptive.hpp"
 #include "render/job/pass_grid.hpp"
+#include "render/sampling/pixel_groups.hpp"
 
 namespace balcony::render {
 
 namespace {
 
 // The part of a tile whose rays are traced so that the results in the window are the same as in the
-// whole picture: rays are traced in pairs of packets, and if two triangles are equally near, the
-// other rays of a pair may determine which one is found.
+// whole picture. Rays are traced in pairs of packets, and if two triangles are equally near, the
+// other rays of a pair may determine which one is found; groups of pixels share paths.
 Region traced_part(const Region& tile, const Region& window) {
-    using embree::Packet;
-    const auto part = [](std::size_t step, std::size_t begin, std::size_t side, std::size_t from,
-                         std::size_t to) {
+    constexpr std::size_t step = PixelGroups::block_side;
+    static_assert(step % (2 * embree::Packet::side) == 0 && tile_width % step == 0 &&
+                  tile_height % step == 0);
+    const auto part = [](std::size_t begin, std::size_t side, std::size_t from, std::size_t to) {
         const std::size_t first = from > begin ? (from - begin) / step * step : 0;
         const std::size_t last =
             to < begin + side ? std::min((to - begin + step - 1) / step * step, side) : side;
         return std::pair(begin + first, last - first);
     };
-    const auto [x, width] =
-        part(2 * Packet::side, tile.x, tile.width, window.x, window.x + window.width);
-    const auto [y, height] =
-        part(Packet::side, tile.y, tile.height, window.y, window.y + window.height);
+    const auto [x, width] = part(tile.x, tile.width, window.x, window.x + window.width);
+    const auto [y, height] = part(tile.y, tile.height, window.y, window.y + window.height);
     return {x, y, width, height};
 }
 

@@ -10,12 +10,13 @@
 
 namespace balcony::render {
 
-/// Groups of eight neighbouring pixels: two quads of 2 x 2 pixels each, from a block of 4 x 4. In
-/// every pass and block, chance decides which quads make a group, so that no border between groups
-/// stays.
+/// Groups of eight pixels of a block of 16 x 16: one of each of eight cells of 4 x 8 or 8 x 4. In
+/// every pass and block, chance decides which cells and which pixels. So most neighbours are in
+/// different groups, and their noise is independent.
 class PixelGroups {
 public:
     static constexpr std::size_t size = 8;
+    static constexpr std::size_t block_side = 16;
 
     PixelGroups(const Region& region, std::size_t pass)
         : first_column_(region.x / block_side),
@@ -30,19 +31,18 @@ public:
         const auto place =
             morton(static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row));
         const auto block = (row - first_row_) * columns_ + column - first_column_;
-        const bool right = x / 2 % 2 != 0;
-        const bool low = y / 2 % 2 != 0;
-        std::size_t half = 0;
-        switch (mixed(place ^ seed_) % 3) {
-            case 0: half = low ? 1 : 0; break;     // The quads beside each other,
-            case 1: half = right ? 1 : 0; break;   // above each other,
-            default: half = right != low ? 1 : 0;  // and across.
-        }
-        return static_cast<std::uint32_t>(2 * block + half);
+        const std::uint32_t chance = mixed(place ^ seed_);
+        const bool upright = chance % 2 != 0;
+        const std::size_t along = (upright ? y : x) % block_side;
+        const std::size_t across = (upright ? x : y) % block_side;
+        const std::size_t cell = across / 8 * 4 + along / 4;
+        const std::size_t in_cell = across % 8 * 4 + along % 4;
+        const std::uint32_t moved = mixed(chance + static_cast<std::uint32_t>(cell)) % groups;
+        return static_cast<std::uint32_t>(groups * block + (in_cell ^ moved));
     }
 
 private:
-    static constexpr std::size_t block_side = 4;
+    static constexpr std::size_t groups = block_side * block_side / size;
 
     std::size_t first_column_, first_row_, columns_;
     std::uint32_t seed_;
