@@ -25,10 +25,10 @@ struct IntegratorInfo {
 struct BounceLimits {
     static constexpr std::size_t most = 128;  ///< The largest limit.
 
-    std::size_t all = 12;
-    std::size_t diffuse = 6;
-    std::size_t glossy = 8;
-    std::size_t transmission = 12;
+    std::size_t all = 64;
+    std::size_t diffuse = 64;
+    std::size_t glossy = 16;
+    std::size_t transmission = 16;
 };
 
 /// How `path` finds the light of lamps with an extent. All give the same mean; each method alone
