@@ -201,14 +201,32 @@ struct Progress {
 /// lock; the others go on meanwhile. Must not throw.
 using ProgressCallback = std::function<void(const Progress&)>;
 
+/// What the rays of a camera layer found.
+struct RayCounts {
+    std::uint64_t camera_rays = 0;   ///< Visible points of the layer, with a ray or not.
+    std::uint64_t invalid_rays = 0;  ///< Of these, points where the camera has no ray.
+    std::uint64_t hits = 0;          ///< Rays that meet a surface.
+    double light = 0.0;              ///< The sum of their luminances.
+    double softened_light = 0.0;     ///< Of that, what PathSettings::exact would show sharp.
+
+    void add(const RayCounts& other) {
+        camera_rays += other.camera_rays;
+        invalid_rays += other.invalid_rays;
+        hits += other.hits;
+        light += other.light;
+        softened_light += other.softened_light;
+    }
+    /// The part of the light that mirrors and glass have softened.
+    [[nodiscard]] double softened_share() const {
+        return light > 0.0 ? softened_light / light : 0.0;
+    }
+};
+
 /// The results of a run.
 struct Summary {
     /// A camera layer of the picture.
-    struct Layer {
+    struct Layer : RayCounts {
         std::string name;  ///< Prefixed by the names of the enclosing pictures.
-        std::uint64_t camera_rays = 0;
-        std::uint64_t invalid_rays = 0;
-        std::uint64_t hits = 0;  ///< Rays that meet a surface.
     };
 
     std::uint64_t camera_rays = 0;     ///< Visible points of layers, with a ray or not.

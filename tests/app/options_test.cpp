@@ -51,6 +51,7 @@ const std::map<std::string, std::pair<std::string, std::string>>& examples() {
         {"--integrator", {"direct", ""}},
         {"--bounces", {"2", "all=2,diffuse=2,glossy=2,transmission=2"}},
         {"--clamp", {"1.5", ""}},
+        {"--exact", {"true", ""}},
         {"--no-path-reuse", {"true", ""}},
         {"--environment", {"1,2,3", ""}},
         {"--environment-rotation", {"90deg", "90"}},

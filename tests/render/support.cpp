@@ -208,6 +208,7 @@ Request request(std::size_t width, std::size_t height, std::string integrator,
     made.integrator = std::move(integrator);
     made.samples = samples;
     made.ambient = Color3f(0.0F);
+    made.path.exact = true;
     return made;
 }
 

@@ -85,7 +85,7 @@ struct Request : Settings {
     FilmLayout layout;
 };
 
-/// No ambient light, all data layers.
+/// No ambient light, all data layers, and the exact estimator of `path`.
 [[nodiscard]] Request request(std::size_t width, std::size_t height, std::string integrator,
                               std::size_t samples = 1);
 

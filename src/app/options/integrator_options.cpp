@@ -107,6 +107,12 @@ Options<Settings> integrator_options() {
                  .meaning = "the largest indirect light of a sample (path), against bright "
                             "specks; 0 is no limit"},
                 radiance, &Settings::path, &PathSettings::clamp_indirect),
+         flag({.name = "--exact",
+               .others = {"--unbiased", "--no-filter-glossy"},
+               .meaning = "do not blur mirrors and glass that are seen by scattered light (path): "
+                          "sharp caustics, which appear as bright specks until many samples are "
+                          "taken"},
+              true, &Settings::path, &PathSettings::exact),
          flag({.name = "--no-path-reuse",
                .meaning = "neighbouring pixels do not share the light that their paths find "
                           "(path): more noise, but each pixel is independent of the others"},

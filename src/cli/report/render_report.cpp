@@ -3,6 +3,7 @@
 
 #include "cli/report/render_report.hpp"
 
+#include <cmath>
 #include <numbers>
 #include <vector>
 
@@ -22,7 +23,8 @@ nlohmann::json layers_json(const render::Summary& summary) {
         layers.push_back({{"name", layer.name},
                           {"rays", layer.camera_rays},
                           {"invalid_rays", layer.invalid_rays},
-                          {"hits", layer.hits}});
+                          {"hits", layer.hits},
+                          {"softened_light", std::round(1e4 * layer.softened_share()) / 1e4}});
     }
     return layers;
 }
@@ -35,6 +37,21 @@ std::string layers_text(const render::Summary& summary) {
                             count_text(static_cast<double>(layer.camera_rays)));
     }
     return summary.layers.size() > 1 ? text : "";
+}
+
+// What is blurred against specks, where it is noticeable.
+std::string softened_text(const render::Summary& summary) {
+    constexpr double noticeable = 0.005;
+    render::RayCounts all;
+    for (const render::Summary::Layer& layer : summary.layers) {
+        all.add(layer);
+    }
+    return all.softened_share() < noticeable
+               ? std::string()
+               : fmt::format(
+                     "  {:.1f} % of the light is from mirrors and glass that are softened "
+                     "against specks; --exact keeps them sharp\n",
+                     100.0 * all.softened_share());
 }
 
 double shown_value(const lang::FittedParameter& parameter) {
@@ -194,7 +211,8 @@ std::string text_of(const app::Report& report, const app::Request& request) {
                             *pixel * static_cast<double>(report.width),
                             *pixel * static_cast<double>(report.height));
     }
-    text += layers_text(summary) + fitted_text(report.fitted) + preparation_text(report);
+    text += layers_text(summary) + softened_text(summary) + fitted_text(report.fitted) +
+            preparation_text(report);
     if (report.denoised) {
         text += fmt::format("  denoised by {} in {:.1f} s\n", report.denoised->used,
                             report.denoised->seconds);

@@ -25,6 +25,7 @@ struct Seen {
     Color4f radiance{0.0F};  ///< Premultiplied.
     Color4f mirrored{0.0F};  ///< The factors of the background in mirrors, by colour.
     LightParts parts;        ///< Of the radiance.
+    float softened = 0.0F;   ///< The luminance that came by way of softened mirrors or glass.
     VisibleSurface visible;
     Coverage coverage;  ///< Of all that is seen directly.
 };

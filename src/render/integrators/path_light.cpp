@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "images/luminance.hpp"
+
 namespace balcony::render {
 
 void PathLight::begin(std::span<const CameraRay> rays, std::span<Seen> seen) {
@@ -18,14 +20,22 @@ void PathLight::begin(std::span<const CameraRay> rays, std::span<Seen> seen) {
 
 void PathLight::add(const Path& path, const Color3f& light) {
     if (path.part == Part::onward) {
-        tails_.tail(path.index).onward.radiance += light;
+        add_onward(path.index, light, path.is_softened);
     } else {
-        add_scattered(seen_[path.index], light, path.bounces.all);
+        add_scattered(seen_[path.index], light, path.bounces.all, path.is_softened);
     }
 }
 
-void PathLight::add_scattered(Seen& seen, const Color3f& light, std::size_t bounces) const {
+void PathLight::add_onward(std::uint32_t index, const Color3f& light, bool softened) {
+    Tail& tail = tails_.tail(index);
+    tail.onward.radiance += light;
+    tail.is_softened |= softened;
+}
+
+void PathLight::add_scattered(Seen& seen, const Color3f& light, std::size_t bounces,
+                              bool softened) const {
     const Color3f added = bounces > 1 ? limited(light, settings_->clamp_indirect) : light;
+    seen.softened += softened ? luminance(added) : 0.0F;
     seen.radiance += Color4f(added.x, added.y, added.z, 0.0F);
     if (bounces == 0) {
         seen.parts.emission += added;
@@ -47,8 +57,8 @@ void PathLight::trace_shadow_rays(const SceneTracer& tracer) {
         const Color3f light = transmittance * one.light;
         switch (one.part) {
             case Part::tail: tails_.tail(one.index).lamp.radiance += light; break;
-            case Part::onward: tails_.tail(one.index).onward.radiance += light; break;
-            default: add_scattered(seen_[one.index], light, one.direct ? 1 : 2);
+            case Part::onward: add_onward(one.index, light, one.softened); break;
+            default: add_scattered(seen_[one.index], light, one.direct ? 1 : 2, one.softened);
         }
     });
     shadow_rays_.clear();
@@ -94,8 +104,13 @@ void PathLight::begin_tail(PathBlock& block, std::size_t lane) {
     }
 }
 
-void PathLight::scatter(Path& path, const BsdfSample& sample) {
+// What a path finds by way of a mirror behind its tail is its own: a lamp there is rare and bright.
+void PathLight::scatter(Path& path, const BsdfSample& sample, bool passes_pane) {
     if (sample.delta && path.part == Part::between) {
+        path.part = Part::whole;
+    }
+    if (sample.delta && path.part == Part::onward && !passes_pane) {
+        path.throughput *= std::exchange(path.before_tail, Color3f(1.0F));
         path.part = Part::whole;
     }
     if (path.part == Part::tail) {

@@ -31,8 +31,8 @@ public:
     void add(const Path& path, const Color3f& light);
     /// Light that arrives along a shadow ray, if nothing is in its way.
     void add(const Path& path, const embree::Ray& shadow_ray, const Color3f& light) {
-        shadow_rays_.add(
-            {shadow_ray, light, path.index, path.packet, path.bounces.all == 0, path.part});
+        shadow_rays_.add({shadow_ray, light, path.index, path.packet, path.bounces.all == 0,
+                          path.part, path.is_softened});
     }
     /// What a path receives of the light that arrives from a lamp: what is reflected, but all at a
     /// tail, which remembers what it reflects towards its own head.
@@ -44,13 +44,14 @@ public:
     /// After add() of the light that the surface emits.
     void begin_tail(PathBlock& block, std::size_t lane);
     /// Multiplies the throughput by what the sample reflects.
-    void scatter(Path& path, const BsdfSample& sample);
+    void scatter(Path& path, const BsdfSample& sample, bool passes_pane);
 
     /// After all paths have ended.
     void share_tails(const SceneTracer& tracer);
 
 private:
-    void add_scattered(Seen& seen, const Color3f& light, std::size_t bounces) const;
+    void add_scattered(Seen& seen, const Color3f& light, std::size_t bounces, bool softened) const;
+    void add_onward(std::uint32_t index, const Color3f& light, bool softened);
     void go_on_from_tail(Path& path, const BsdfSample& sample);
 
     const PathSettings* settings_;

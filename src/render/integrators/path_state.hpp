@@ -45,6 +45,9 @@ struct Path {
     /// straight on do not change it, as shadow rays pass them, too. 0 if no other method of
     /// sampling finds it: the camera ray, or a mirror reflection.
     float pdf = 0.0F;
+    /// Of the surfaces to come: where light has been scattered, a lamp in a mirror is softened.
+    float least_roughness = 0.0F;
+    bool is_softened = false;  ///< Such a surface was rougher than it is.
     Color3f absorption{0.0F};  ///< Of what the ray passes, per scene unit.
     float absorbed = 0.0F;     ///< The length from there up to which light has been absorbed.
     Sampler sampler;

@@ -25,6 +25,7 @@ struct ShadowedLight {
     std::uint32_t packet = 0;  ///< Of its camera ray.
     bool direct = false;       ///< The light is scattered once.
     Part part = Part::whole;   ///< Of the path.
+    bool softened = false;     ///< Likewise.
 };
 
 class ShadowRays {

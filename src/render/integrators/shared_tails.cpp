@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 
+#include "images/luminance.hpp"
 #include "render/integrators/path_state.hpp"
 #include "render/integrators/ray_order.hpp"
 
@@ -67,7 +68,8 @@ void SharedTails::set_tail(const Path& path, const PlainMaterial& material,
                                           surface.position,
                                           path.throughput,
                                           path.transmittance,
-                                          is_wide(material)});
+                                          is_wide(material),
+                                          path.is_softened});
     if (!tail.is_whole) {
         tail.surface.material.specular = {};
     }
@@ -91,6 +93,7 @@ void SharedTails::add_light(const SceneTracer& tracer, float limit, std::span<Se
         for (std::size_t lane = 0; lane < group.size(); ++lane) {
             const Color3f light = limited(lanes_.light.of(lane), limit);
             seen[group[lane]].radiance += Color4f(light.x, light.y, light.z, 0.0F);
+            seen[group[lane]].softened += std::min(lanes_.softened[lane], luminance(light));
         }
         begin = end;
     }
@@ -123,6 +126,7 @@ void SharedTails::share(Indices group, const SceneTracer& tracer) {
 void SharedTails::gather(Indices group) {
     lanes_.all = 0;
     lanes_.light.fill(0, plain_lanes::size, V3f(0.0F));
+    lanes_.softened.fill(0.0F);
     for (std::size_t i = 0; i < group.size(); ++i) {
         if (ends_[group[i]].head == none) {
             continue;
@@ -288,6 +292,7 @@ void SharedTails::add(LaneBits lanes, LaneBits owners) {
         }
         const std::size_t head = lane % group_size;
         lanes_.light.set(head, lanes_.light.of(head) + light);
+        lanes_.softened[head] += tail.is_softened ? luminance(light) : 0.0F;
     });
 }
 

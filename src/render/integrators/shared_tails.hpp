@@ -58,6 +58,7 @@ struct Tail {
     Color3f throughput;      ///< Of the path's own head, and its ray to here.
     float transmittance;     ///< Along that ray, which may cross transparent surfaces by chance.
     bool is_whole;           ///< The surface has no other part.
+    bool is_softened;        ///< Here or behind, the path met a surface that is.
     ArrivingLight lamp{};    ///< From a lamp that was chosen.
     ArrivingLight onward{};  ///< Along the ray on which the path goes on.
 };
@@ -99,6 +100,7 @@ private:
         plain_lanes::Views views;
         plain_lanes::Vectors to_viewer, start, throughput;
         plain_lanes::Vectors light;
+        plain_lanes::Floats softened;  // The luminance of that part of the light.
     };
     // The tails, and what connects them with the heads.
     struct alignas(64) Connections {

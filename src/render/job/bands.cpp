@@ -58,9 +58,7 @@ void add(Summary& total, const Summary& part) {
     total.layers.resize(part.layers.size());
     for (std::size_t i = 0; i < part.layers.size(); ++i) {
         total.layers[i].name = part.layers[i].name;
-        total.layers[i].camera_rays += part.layers[i].camera_rays;
-        total.layers[i].invalid_rays += part.layers[i].invalid_rays;
-        total.layers[i].hits += part.layers[i].hits;
+        total.layers[i].add(part.layers[i]);
     }
     total.camera_rays += part.camera_rays;
     total.invalid_rays += part.invalid_rays;

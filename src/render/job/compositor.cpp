@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "images/luminance.hpp"
 #include "render/job/layer_weights.hpp"
 #include "render/job/point_blender.hpp"
 
@@ -202,7 +203,12 @@ void Compositor::trace_layer(const Element& element, const Veil& veil, Work& wor
     }
     tracer_.trace(points, rays, wanted, [&](std::size_t i, const Seen& seen) {
         drawn[i] = {seen.radiance, Color4f(0.0F), seen.mirrored, 1.0F};
-        count.hits += seen.visible.any && work.counts(i) ? 1 : 0;
+        if (work.counts(i)) {
+            count.hits += seen.visible.any ? 1 : 0;
+            count.light +=
+                static_cast<double>(luminance({seen.radiance.r, seen.radiance.g, seen.radiance.b}));
+            count.softened_light += static_cast<double>(seen.softened);
+        }
         if (!work.seen.empty()) {
             work.seen[layer][i] = {1.0F, seen.parts, seen.visible, seen.coverage};
         }

@@ -130,8 +130,7 @@ private:
         counts.layers.resize(parts_.picture.layers().size());
         for (std::size_t i = 0; i < counts.layers.size(); ++i) {
             const RayCounts& layer = counts.layers[i];
-            summary.layers.push_back({parts_.picture.layers()[i].name, layer.camera_rays,
-                                      layer.invalid_rays, layer.hits});
+            summary.layers.push_back({layer, parts_.picture.layers()[i].name});
             summary.camera_rays += layer.camera_rays;
             summary.invalid_rays += layer.invalid_rays;
         }

@@ -138,6 +138,7 @@ void TileTracer::trace(const TilePoints& points, const TileRays& rays, const Mas
             ++repaired_;
             seen.radiance = Color4f(0.0F);
             seen.parts = {};
+            seen.softened = 0.0F;
             seen.coverage = {};
         }
     }

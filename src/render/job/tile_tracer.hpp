@@ -29,18 +29,6 @@ struct TilePoints {
     }
 };
 
-struct RayCounts {
-    std::uint64_t camera_rays = 0;
-    std::uint64_t invalid_rays = 0;
-    std::uint64_t hits = 0;  ///< Rays that meet a surface.
-
-    void add(const RayCounts& other) {
-        camera_rays += other.camera_rays;
-        invalid_rays += other.invalid_rays;
-        hits += other.hits;
-    }
-};
-
 /// Traces rays; belongs to one thread.
 class TileTracer {
 public:

@@ -43,6 +43,7 @@ public:
         std::uint32_t x_seed = 0;
         std::uint32_t y_seed = 0;
     };
+    [[nodiscard]] std::uint32_t pass() const { return pass_; }
     [[nodiscard]] Pair pair(std::uint32_t index) const {
         return index < first_pairs_.size() ? first_pairs_[index] : make_pair(index);
     }
@@ -87,6 +88,7 @@ public:
           pixel_(reversed(
               morton(static_cast<std::uint32_t>(pixel_x), static_cast<std::uint32_t>(pixel_y)))) {}
 
+    [[nodiscard]] std::uint32_t pass() const { return pass_->pass(); }
     /// The next dimension, or the next two, which are stratified together; from [0, 1).
     [[nodiscard]] float next() { return first_number(pass_->pair(next_++), pixel_); }
     [[nodiscard]] Imath::V2f next_pair() {

@@ -7,26 +7,32 @@ namespace balcony::render {
 
 void BsdfBlock::clear() { plain_ = 0; }
 
-void BsdfBlock::add(std::size_t place, const Interaction& at, const V3f& to_viewer) {
+bool BsdfBlock::add(std::size_t place, const Interaction& at, const V3f& to_viewer,
+                    float least_roughness) {
     const Surface& surface = at.surface;
-    const BsdfMaterial& material = at.uniform != nullptr
-                                       ? *at.uniform
-                                       : varying_[place].emplace(at.appearance(), surface.entering);
+    const std::optional<Appearance> softened =
+        least_roughness > 0.0F ? at.appearance().softened(least_roughness) : std::nullopt;
+    const BsdfMaterial* const uniform = softened ? nullptr : at.uniform;
+    const BsdfMaterial& material =
+        uniform != nullptr
+            ? *uniform
+            : varying_[place].emplace(softened ? *softened : at.appearance(), surface.entering);
     materials_[place] = &material;
     if (material.layers || material.is_mirror()) {
         Bsdf bsdf(material, surface.normal, surface.smooth_normal);
         bsdf.set_coat_normal(surface.coat_normal);
         singles_[place].emplace(Single{bsdf, bsdf.view_from(to_viewer)});
-        return;
+        return softened.has_value();
     }
     plain_ |= lane_bit(place);
-    if (at.uniform == nullptr || known_[place] != at.uniform) {
+    if (uniform == nullptr || known_[place] != uniform) {
         surfaces_.set_material(place, material);
-        known_[place] = at.uniform;
+        known_[place] = uniform;
     }
     surfaces_.normal.set(place, surface.normal);
     surfaces_.side_normal.set(place, surface.smooth_normal);
     to_viewer_.set(place, to_viewer);
+    return softened.has_value();
 }
 
 void BsdfBlock::set_views() { plain_lanes::set_views(plain_, surfaces_, to_viewer_, views_); }

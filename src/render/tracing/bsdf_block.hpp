@@ -21,8 +21,10 @@ public:
     static constexpr std::size_t size = plain_lanes::size;
 
     void clear();
-    /// The direction to the viewer is unit.
-    void add(std::size_t place, const Interaction& at, const V3f& to_viewer);
+    /// The direction to the viewer is unit. The surface is softened to a roughness that is not 0;
+    /// returns whether this changes it.
+    bool add(std::size_t place, const Interaction& at, const V3f& to_viewer,
+             float least_roughness = 0.0F);
     /// After all points, and before what follows.
     void set_views();
 

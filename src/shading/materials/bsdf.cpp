@@ -102,7 +102,7 @@ std::optional<BsdfSample> Bsdf::sample_mirror(const V3f& to_viewer) const {
 }
 
 std::optional<BsdfSample> Bsdf::sample_passage(const V3f& to_viewer) const {
-    if (!material().is_mirror() || !material().transmits()) {
+    if (!material().is_clear()) {
         return std::nullopt;
     }
     const LayersView view = layers_view_from(to_viewer);

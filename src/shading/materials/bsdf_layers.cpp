@@ -85,7 +85,7 @@ Bsdf::Value Bsdf::evaluate_layers(const LayersView& view, const V3f& to_light) c
     if (side > 0.0F) {
         return evaluate_above(view, to_light);
     }
-    if (cosine > -min_cosine || side >= 0.0F || !material().transmits() || material().is_mirror()) {
+    if (cosine > -min_cosine || side >= 0.0F || !material().transmits() || material().is_clear()) {
         return {};
     }
     return material().layers->passage->refracts ? evaluate_refracted(view, to_light)
@@ -321,10 +321,11 @@ std::optional<BsdfSample> Bsdf::sample_layers(const LayersView& view, const V3f&
     if (!(probability > 0.0F) || view.cosine < min_cosine) {
         return std::nullopt;
     }
-    if (material().is_mirror() && (lobe == layer_lobe || lobe == passage_lobe)) {
-        std::optional<BsdfSample> sample = lobe == layer_lobe
-                                               ? mirror_sample(view.direction, mirror_weight(view))
-                                               : sample_straight(view);
+    const bool reflects = lobe == layer_lobe && material().is_mirror();
+    if (reflects || (lobe == passage_lobe && material().is_clear())) {
+        std::optional<BsdfSample> sample =
+            reflects ? std::optional(mirror_sample(view.direction, mirror_weight(view)))
+                     : sample_straight(view);
         if (sample) {
             sample->weight /= probability;
         }

@@ -1,0 +1,221 @@
+#!/usr/bin/env python3
+# Balcony: rendering through extended cameras.
+# SPDX-License-Identifier: Apache-2.0
+"""Writes eight ordinary scenes whose light is hard to find, and renders them.
+
+Usage: ordinary.py BALCONY FOLDER [PLACE ...] [--samples COUNT] [--size WxH]
+
+Mirrors, glass, brass, tiles, window panes, lamps under shades, a car: small lamps and suns that are
+seen in smooth surfaces make bright specks in the light that walls scatter. The script prints the
+specks of a picture as rendered, and those with --exact: pixels that a display shows brighter than
+the median of the 7 x 7 around them, by 60 of 255. Borders of lamps and windows count in both.
+"""
+import argparse
+import pathlib
+import statistics
+import subprocess
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent / "peers"))
+from room import Glb, quad, sphere  # noqa: E402
+
+GLASS = {"KHR_materials_transmission": {"transmissionFactor": 1.0},
+         "KHR_materials_ior": {"ior": 1.5}}
+SOLID = {**GLASS, "KHR_materials_volume": {"thicknessFactor": 1.0}}
+
+
+class Place(Glb):
+    """A scene with the materials and shapes of ordinary places."""
+
+    def __init__(self):
+        super().__init__()
+        self.json["extensionsUsed"] += ["KHR_lights_punctual", "KHR_materials_clearcoat"]
+        self.white = self.material("white", (0.8, 0.8, 0.78))
+        self.wood = self.material("wood", (0.4, 0.25, 0.15), roughness=0.3)
+        self.mirror = self.material("mirror", (0.95, 0.95, 0.95), roughness=0.0, metallic=1.0)
+        self.brass = self.material("brass", (0.9, 0.7, 0.3), roughness=0.1, metallic=1.0)
+        self.pane = self.material("pane", (1, 1, 1), roughness=0.0, extensions=GLASS)
+        self.solid = self.material("solid", (1, 1, 1), roughness=0.0, extensions=SOLID)
+        self.tiles = self.material("tiles", (0.75, 0.8, 0.8), roughness=0.05)
+
+    def bulb(self, centre, radius=0.04, strength=2000.0):
+        material = self.material("bulb", (0, 0, 0), emissiveFactor=[1.0, 0.85, 0.6], extensions={
+            "KHR_materials_emissive_strength": {"emissiveStrength": strength}})
+        self.mesh("bulb", sphere(centre, radius, 12), material)
+
+    def sun(self, lux=400.0):
+        """Through a window in the wall at -z, steeply down."""
+        self.json.setdefault("extensions", {})["KHR_lights_punctual"] = {
+            "lights": [{"type": "directional", "color": [1.0, 0.95, 0.85], "intensity": lux}]}
+        self.json["nodes"].append({"rotation": [-0.3007, 0.7872, 0.4730, 0.2588],
+                                   "extensions": {"KHR_lights_punctual": {"light": 0}}})
+        self.json["scenes"][0]["nodes"].append(len(self.json["nodes"]) - 1)
+
+    def box(self, name, low, high, material):
+        (x, y, z), (a, b, c) = low, high
+        w, h, d = a - x, b - y, c - z
+        for corner, along, up in (((x, y, c), (w, 0, 0), (0, h, 0)),
+                                  ((a, y, z), (-w, 0, 0), (0, h, 0)),
+                                  ((a, y, c), (0, 0, -d), (0, h, 0)),
+                                  ((x, y, z), (0, 0, d), (0, h, 0)),
+                                  ((x, b, c), (w, 0, 0), (0, 0, -d)),
+                                  ((x, y, z), (w, 0, 0), (0, 0, d))):
+            self.mesh(name, quad(corner, along, up), material)
+
+    def room(self, window=False, walls=None):
+        """4 x 3 x 4 metres around the origin; the window is in the wall at -z."""
+        walls = self.white if walls is None else walls
+        self.mesh("floor", quad((-2, 0, 2), (4, 0, 0), (0, 0, -4)), self.wood)
+        self.mesh("ceiling", quad((-2, 3, -2), (4, 0, 0), (0, 0, 4)), self.white)
+        self.mesh("wall", quad((2, 0, 2), (-4, 0, 0), (0, 3, 0)), walls)
+        self.mesh("wall", quad((-2, 0, 2), (0, 0, -4), (0, 3, 0)), walls)
+        self.mesh("wall", quad((2, 0, -2), (0, 0, 4), (0, 3, 0)), walls)
+        if not window:
+            self.mesh("wall", quad((-2, 0, -2), (4, 0, 0), (0, 3, 0)), walls)
+            return
+        for corner, along, up in (((-2, 0, -2), (4, 0, 0), (0, 1, 0)),
+                                  ((-2, 2.4, -2), (4, 0, 0), (0, 0.6, 0)),
+                                  ((-2, 1, -2), (1.2, 0, 0), (0, 1.4, 0)),
+                                  ((0.8, 1, -2), (1.2, 0, 0), (0, 1.4, 0))):
+            self.mesh("wall", quad(corner, along, up), walls)
+
+
+def mirror():
+    place = Place()
+    place.room()
+    place.mesh("mirror", quad((-1.99, 0.5, 1), (0, 0, -2), (0, 2, 0)), place.mirror)
+    place.bulb((1.2, 2.2, -0.5))
+    return place
+
+
+def solid_glass():
+    place = Place()
+    place.room()
+    for i, x in enumerate((-1.0, 0.0, 1.0)):
+        place.mesh("ball", sphere((x, 0.35 + 0.1 * i, -0.8), 0.3, 48), place.solid)
+    place.bulb((0.3, 2.5, 0.4))
+    return place
+
+
+def thin_glass():
+    place = Place()
+    place.room(window=True)
+    for x in (-1.0, 0.2):
+        place.mesh("vase", sphere((x, 0.4, -0.6), 0.35, 48), place.pane)
+    place.sun()
+    place.bulb((-1.2, 2.4, 1.0))
+    return place
+
+
+def brass():
+    place = Place()
+    place.room(window=True)
+    for i in range(5):
+        place.mesh("bowl", sphere((-1.4 + 0.7 * i, 0.3, -0.5 - 0.2 * (i % 2)), 0.25, 48),
+                   place.brass)
+    place.sun()
+    return place
+
+
+def bathroom():
+    place = Place()
+    place.room(walls=place.tiles)
+    place.mesh("mirror", quad((-1, 1.1, -1.99), (2, 0, 0), (0, 1, 0)), place.mirror)
+    place.box("basin", (-0.6, 0.7, -1.95), (0.6, 0.9, -1.3), place.tiles)
+    place.mesh("tap", sphere((0.0, 1.0, -1.7), 0.06, 24), place.brass)
+    for x in (-0.8, 0.0, 0.8):
+        place.bulb((x, 2.3, -1.8), 0.03)
+    return place
+
+
+def panes():
+    place = Place()
+    place.room(window=True)
+    place.mesh("pane", quad((-0.8, 1, -2), (1.6, 0, 0), (0, 1.4, 0)), place.pane)
+    place.mesh("pane", quad((-0.8, 1, -1.98), (1.6, 0, 0), (0, 1.4, 0)), place.pane)
+    place.box("table", (-0.7, 0.7, -0.8), (0.7, 0.75, 0.2), place.wood)
+    place.sun()
+    return place
+
+
+def shade():
+    place = Place()
+    place.room()
+    place.bulb((0.0, 1.8, -0.6))
+    place.mesh("shade", sphere((0.0, 1.8, -0.6), 0.2, 48), place.pane)
+    place.bulb((1.3, 0.6, -1.3), 0.03)
+    place.mesh("globe", sphere((1.3, 0.6, -1.3), 0.16, 48), place.solid)
+    place.mesh("hollow", sphere((1.3, 0.6, -1.3), -0.14, 48), place.solid)
+    return place
+
+
+def car():
+    place = Place()
+    paint = place.material("paint", (0.5, 0.03, 0.03), roughness=0.4, extensions={
+        "KHR_materials_clearcoat": {"clearcoatFactor": 1.0, "clearcoatRoughnessFactor": 0.0}})
+    ground = place.material("ground", (0.3, 0.3, 0.3))
+    place.mesh("ground", quad((-30, 0, 30), (60, 0, 0), (0, 0, -60)), ground)
+    place.box("wall", (-6, 0, -5), (6, 3, -4.6), place.white)
+    place.box("body", (-2.0, 0.3, -2.6), (2.0, 0.9, -1.2), paint)
+    place.box("cabin", (-1.0, 0.92, -2.5), (1.0, 1.5, -1.3), place.pane)
+    for x in (-1.3, 1.3):
+        place.mesh("hub", sphere((x, 0.35, -1.15), 0.25, 32), place.mirror)
+    place.sun(20000.0)
+    return place
+
+
+SKY = ("--environment", "sky*0.003")
+PLACES = {"mirror": (mirror, ()), "solid-glass": (solid_glass, ()), "thin-glass": (thin_glass, SKY),
+          "brass": (brass, SKY), "bathroom": (bathroom, ()), "panes": (panes, SKY),
+          "shade": (shade, ()), "car": (car, ())}
+VIEW = ("-c", "panorama", "--set", "px=0.2", "--set", "py=-0.7", "--set", "pz=1.4")
+
+
+def shown(balcony, scene, picture, options, more):
+    """Renders a picture; gives its size, and how bright a display shows its pixels, row by row."""
+    subprocess.run([balcony, "render", scene, *VIEW, "--size", options.size, "-s",
+                    str(options.samples), "--exposure", "0", "-o", picture, "-q", *more],
+                   check=True, stderr=subprocess.DEVNULL)
+    raw = picture.with_suffix(".ppm")
+    scale = "0.0001" if picture.stem.startswith("car") else "0.25"
+    subprocess.run(["oiiotool", picture, "--ch", "R,G,B", "--mulc", scale, "--colorconvert",
+                    "linear", "sRGB", "-d", "uint8", "-o", raw], check=True)
+    _, size, _, data = raw.read_bytes().split(b"\n", 3)
+    width, height = map(int, size.split())
+    raw.unlink()
+    return width, height, [0.2126 * r + 0.7152 * g + 0.0722 * b
+                           for r, g, b in zip(data[::3], data[1::3], data[2::3])]
+
+
+def specks(width, height, light):
+    """How many pixels are much brighter than the median of the 7 x 7 around them."""
+    count = 0
+    for y in range(3, height - 3):
+        for x in range(3, width - 3):
+            around = [light[(y + j) * width + x + i] for j in range(-3, 4) for i in range(-3, 4)]
+            count += light[y * width + x] > statistics.median(around) + 60
+    return count
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("balcony")
+    parser.add_argument("folder", type=pathlib.Path)
+    parser.add_argument("places", nargs="*", choices=[*PLACES, []], default=list(PLACES))
+    parser.add_argument("--samples", type=int, default=64)
+    parser.add_argument("--size", default="320x160")
+    options = parser.parse_args()
+    options.folder.mkdir(parents=True, exist_ok=True)
+    print(f"{'scene':12}  specks  with --exact")
+    for name in options.places:
+        make, more = PLACES[name]
+        scene = options.folder / f"{name}.glb"
+        make().write(scene)
+        found = [specks(*shown(options.balcony, scene, options.folder / f"{name}{end}.exr",
+                                    options, (*more, *exact)))
+                 for end, exact in (("", ()), ("-exact", ("--exact",)))]
+        print(f"{name:12}  {found[0]:6}  {found[1]:12}", flush=True)
+
+
+if __name__ == "__main__":
+    main()
