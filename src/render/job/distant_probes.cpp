@@ -4,7 +4,6 @@
 #include "render/job/distant_probes.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -12,6 +11,7 @@
 
 #include "images/luminance.hpp"
 #include "render/job/coarse_rays.hpp"
+#include "render/sampling/even_pairs.hpp"
 #include "shading/geometry/frame.hpp"
 #include "shading/lights/distant_lights.hpp"
 
@@ -25,16 +25,6 @@ struct Lit {
     V3f normal;
     float time = 0.0F;
 };
-
-// Evenly distributed pairs: Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences"
-// (2018).
-Imath::V2f pair(std::size_t number) {
-    const auto part = [number](double step) {
-        const double sum = step * static_cast<double>(number);
-        return static_cast<float>(sum - std::floor(sum));
-    };
-    return {part(0.7548776662466927), part(0.5698402909980532)};
-}
 
 // The surfaces on paths that every surface scatters evenly.
 std::vector<Lit> lit_surfaces(const TracedScene& traced, PictureRays& all, const Film& film,
@@ -57,7 +47,7 @@ std::vector<Lit> lit_surfaces(const TracedScene& traced, PictureRays& all, const
                 ray.origin = at.surface.start(ray.direction);
                 continue;
             }
-            const Imath::V2f numbers = pair(found.size());
+            const Imath::V2f numbers = even_pair(found.size());
             found.push_back({at.surface, at.surface.geometric_normal, ray.time});
             ray.direction =
                 Frame(at.surface.geometric_normal).to_world(sample_cosine(numbers.x, numbers.y));
@@ -76,7 +66,7 @@ public:
                                      std::size_t directions) const {
         std::vector<Imath::V2f> random;
         for (std::size_t i = 0; i < directions; ++i) {
-            random.push_back(pair(number * directions + i));
+            random.push_back(even_pair(number * directions + i));
         }
         return tracer_.lights().distant().probe(
             at.surface.position, random, [&](const V3f& to_light) {

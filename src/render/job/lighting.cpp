@@ -16,6 +16,7 @@
 #include "balcony/names.hpp"
 #include "images/luminance.hpp"
 #include "render/job/coarse_rays.hpp"
+#include "render/sampling/even_pairs.hpp"
 #include "shading/geometry/frame.hpp"
 
 namespace balcony::render {
@@ -35,16 +36,10 @@ bool sees_sky(const TracedScene& traced, PictureRays& all, const Film& film, dou
             ++escaped;
             return;
         }
-        // Evenly distributed pairs: Roberts, "The Unreasonable Effectiveness of Quasirandom
-        // Sequences" (2018).
-        const auto number = [rays](double step) {
-            const double sum = step * static_cast<double>(rays);
-            return static_cast<float>(sum - std::floor(sum));
-        };
+        const Imath::V2f numbers = even_pair(rays);
         const Surface surface = traced.surfaces.find(hit, ray.direction, ray.time);
         const V3f direction =
-            Frame(surface.geometric_normal)
-                .to_world(sample_cosine(number(0.7548776662466927), number(0.5698402909980532)));
+            Frame(surface.geometric_normal).to_world(sample_cosine(numbers.x, numbers.y));
         escaped +=
             is_black(tracer.transmittance({surface.start(direction), direction,
                                            std::numeric_limits<float>::infinity(), ray.time}))
