@@ -137,6 +137,24 @@ TEST(Path, MoreBouncesAddLight) {
     }
 }
 
+// In a closed room whose walls all emit 1 and reflect a, each place has the radiance 1 / (1 - a),
+// less what light of more than 64 bounces adds.
+TEST(Path, DefaultLimitsLeaveAWhiteRoomItsLight) {
+    for (const float albedo : {0.75F, 0.95F}) {
+        scene::Scene scene;
+        scene::Material wall = white();
+        wall.base_color = Color3f(albedo);
+        wall.specular = 0.0F;
+        wall.emission = Color3f(1.0F);
+        add(scene, coarse_sphere(1.0F, 32, 16), wall);
+        const Request asked = traced(16, 16, 256);
+        const float found = mean(render(scene, pinhole(view_down_z(0.0, 0.0, 0.3)), asked).film).y;
+        const float all = (1.0F - std::pow(albedo, 66.0F)) / (1.0F - albedo);
+        EXPECT_NEAR(found, all, 0.02F * all) << albedo;
+        EXPECT_GT(found, 0.94F / (1.0F - albedo));
+    }
+}
+
 TEST(Path, LimitsByKindHold) {
     const scene::Scene scene = room();
     const camera::Camera camera = pinhole(view_down_z(0.0, 0.0, 1.2));
