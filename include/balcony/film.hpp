@@ -274,7 +274,7 @@ struct DisplayOptions {
 
 /// The exposure, in quarter stops, for a film whose light is far from the range of a screen, as in
 /// scenes with physical units. Of the luminance of the light, without black parts, it is 0 if the
-/// median is between nearly black (0.004) and a stop above white (2), and the 95th percentile at
+/// median is between nearly black (0.01) and a stop above white (2), and the 95th percentile at
 /// most two stops above white (4). Otherwise, it makes the median middle grey (0.18), or up to two
 /// stops less if the 95th percentile would exceed white. Display colours and the background do not
 /// count. 0 for a film whose vectors do not have the size of its window.

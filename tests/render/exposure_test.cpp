@@ -32,7 +32,7 @@ TEST(Exposure, KeepsPicturesInTheRangeOfAScreen) {
 
 // Quarter stops: the median comes within a factor 2^(1/8) of middle grey.
 TEST(Exposure, MakesTheMedianMiddleGrey) {
-    for (const float median : {1e-6F, 0.002F, 3.0F, 700.0F, 1e6F}) {
+    for (const float median : {1e-6F, 0.002F, 0.009F, 3.0F, 700.0F, 1e6F}) {
         const double exposure = automatic_exposure(grey_film(median));
         const double shown = static_cast<double>(median) * std::exp2(exposure);
         EXPECT_NEAR(std::log2(shown / 0.18), 0.0, 0.125) << median;
