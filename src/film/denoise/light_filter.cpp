@@ -148,10 +148,10 @@ void multiply_by(const Surfaces& surfaces, float (*factor)(float albedo), Halves
 }
 
 // The mean of both halves of the filtered light, and what it lacks, or has too much, over areas of
-// some ten pixels, as far as both halves of the samples agree on it.
+// some eight pixels, as far as both halves of the samples agree on it.
 std::array<Plane, 3> with_means_of(const Halves& samples, const Halves& light, const Plane& weight,
                                    const Canvas& canvas) {
-    constexpr std::size_t radius = 4;
+    constexpr std::size_t radius = 3;
     constexpr float largest_part = 0.1F;  // A bright spot has no halo.
     Stack lacking;
     for (std::size_t plane = 0; plane < lacking.size(); ++plane) {
