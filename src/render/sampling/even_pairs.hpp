@@ -9,8 +9,8 @@
 
 namespace balcony::render {
 
-/// A pair of numbers in [0, 1) by its index; those of any successive indices are evenly distributed:
-/// Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences" (2018).
+/// A pair of numbers in [0, 1) by its index; those of any successive indices are evenly
+/// distributed: Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences" (2018).
 [[nodiscard]] inline Imath::V2f even_pair(std::size_t index) {
     const auto part = [index](double step) {
         const double sum = step * static_cast<double>(index);
