@@ -26,7 +26,7 @@ double automatic_exposure(const Film& film) {
             }
         }
     }
-    constexpr double too_dark = 0.01;  // Level 25 of 255 in sRGB.
+    constexpr double too_dark = 0.01;   // Level 25 of 255 in sRGB.
     constexpr double too_bright = 2.0;  // A stop above white.
     constexpr double brightest_highlights = 4.0;
     constexpr double middle_grey = 0.18;
