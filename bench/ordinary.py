@@ -201,13 +201,14 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("balcony")
     parser.add_argument("folder", type=pathlib.Path)
-    parser.add_argument("places", nargs="*", choices=[*PLACES, []], default=list(PLACES))
+    parser.add_argument("places", nargs="*", metavar="PLACE",
+                        help=", ".join(PLACES))
     parser.add_argument("--samples", type=int, default=64)
     parser.add_argument("--size", default="320x160")
     options = parser.parse_args()
     options.folder.mkdir(parents=True, exist_ok=True)
     print(f"{'scene':12}  specks  with --exact")
-    for name in options.places:
+    for name in options.places or PLACES:
         make, more = PLACES[name]
         scene = options.folder / f"{name}.glb"
         make().write(scene)
