@@ -164,7 +164,7 @@ def car():
     return place
 
 
-SKY = ("--environment", "sky*0.003")
+SKY = ("--environment", "sky", "--environment-strength", "0.003")
 PLACES = {"mirror": (mirror, ()), "solid-glass": (solid_glass, ()), "thin-glass": (thin_glass, SKY),
           "brass": (brass, SKY), "bathroom": (bathroom, ()), "panes": (panes, SKY),
           "shade": (shade, ()), "car": (car, ())}
