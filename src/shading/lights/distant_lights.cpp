@@ -9,6 +9,7 @@
 
 #include "images/luminance.hpp"
 #include "shading/geometry/frame.hpp"
+#include "shading/lights/choice.hpp"
 
 namespace balcony::render {
 
@@ -19,8 +20,6 @@ using Imath::V2f;
 using Imath::V3f;
 
 using std::numbers::pi_v;
-
-constexpr float below_one = 0x1.fffffep-1F;
 
 // What no probe has seen may still shine through a gap.
 constexpr float unseen = 0.02F;
@@ -152,12 +151,11 @@ V3f DistantLights::sample_environment(const DistantReceiver& at, const V2f& rand
     if (at.place != nullptr) {
         const float known = at.place->known;
         if (random.x < known) {
-            numbers.x = random.x / known;
-            const std::size_t sector = at.place->choose(numbers.x);
-            return (map.sample(sector, numbers).direction * environment_from_world_.transposed())
-                .normalized();
+            const ChosenCell sector = choose_cell(at.place->sectors, rest_below(random.x, known));
+            const V3f in_map = map.sample(sector.cell, {sector.within, random.y}).direction;
+            return (in_map * environment_from_world_.transposed()).normalized();
         }
-        numbers.x = std::min((random.x - known) / (1.0F - known), below_one);
+        numbers.x = rest_above(random.x, known);
     }
     if (map.is_constant() && at.normal != V3f(0.0F)) {
         return Frame(at.normal).to_world(sample_cosine(numbers.x, numbers.y)).normalized();

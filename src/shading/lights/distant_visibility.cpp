@@ -80,17 +80,6 @@ DistantVisibility::Place place_of(std::span<const DistantProbe> probes) {
 
 }  // namespace
 
-std::size_t DistantVisibility::Place::choose(float& random) const {
-    constexpr float below_one = 0x1.fffffep-1F;
-    const auto above = std::upper_bound(sectors.begin() + 1, sectors.end() - 1, random);
-    auto sector = static_cast<std::size_t>(above - sectors.begin()) - 1;
-    while (sector > 0 && !(probability(sector) > 0.0F)) {
-        --sector;
-    }
-    random = std::clamp((random - sectors[sector]) / probability(sector), 0.0F, below_one);
-    return sector;
-}
-
 DistantVisibility::DistantVisibility(std::vector<DistantProbe> probes) {
     nodes_.emplace_back();
     divide(0, probes);

@@ -40,8 +40,6 @@ public:
         [[nodiscard]] float probability(std::size_t sector) const {
             return sectors[sector + 1] - sectors[sector];
         }
-        /// The sector with a cumulative probability, which is rescaled within it.
-        [[nodiscard]] std::size_t choose(float& random) const;
     };
 
     /// At least one probe. The result does not depend on their order as long as no two have the

@@ -9,6 +9,7 @@
 #include <span>
 
 #include "images/luminance.hpp"
+#include "shading/lights/choice.hpp"
 
 namespace balcony::render {
 
@@ -47,26 +48,6 @@ double accumulate(std::span<const double> values, std::span<float> cumulative) {
         cumulative[i + 1] = total > 0.0 ? static_cast<float>(sum / total) : 0.0F;
     }
     return total;
-}
-
-// The cell with a cumulative probability, and where it divides the cell.
-struct Chosen {
-    std::size_t cell = 0;
-    float within = 0.0F;
-};
-
-// The cumulative probabilities end anywhere above where they begin.
-Chosen choose(std::span<const float> cumulative, float random) {
-    const float wanted = cumulative.front() + random * (cumulative.back() - cumulative.front());
-    // The first border above the number; cells of probability 0 end at or below it.
-    const auto above = std::upper_bound(cumulative.begin() + 1, cumulative.end() - 1, wanted);
-    auto cell = static_cast<std::size_t>(above - cumulative.begin()) - 1;
-    // The number may exceed all cells that have a probability only by rounding.
-    while (cell > 0 && cumulative[cell + 1] <= cumulative[cell]) {
-        --cell;
-    }
-    const float probability = cumulative[cell + 1] - cumulative[cell];
-    return {cell, std::clamp((wanted - cumulative[cell]) / probability, 0.0F, 1.0F)};
 }
 
 // The next multiple of a number of sectors that is not below a number of pixels.
@@ -111,18 +92,18 @@ Color3f EnvironmentMap::radiance(const V3f& direction) const {
 }
 
 EnvironmentMap::Sample EnvironmentMap::sample(const V2f& random) const {
-    const Chosen row = choose(cumulative_rows_, random.x);
-    const Chosen column = choose(
+    const ChosenCell row = choose_cell(cumulative_rows_, random.x);
+    const ChosenCell column = choose_cell(
         std::span(cumulative_columns_).subspan(row.cell * (columns_ + 1), columns_ + 1), random.y);
     return sample_cell(row.cell, column.cell, {row.within, column.within});
 }
 
 EnvironmentMap::Sample EnvironmentMap::sample(std::size_t sector, const V2f& random) const {
     const std::size_t columns = columns_ / sector_columns;
-    const Chosen row = choose(rows_of(sector), random.x);
+    const ChosenCell row = choose_cell(rows_of(sector), random.x);
     const std::size_t at = sector / sector_columns * (rows_ / sector_rows) + row.cell;
     const std::size_t first = sector % sector_columns * columns;
-    const Chosen column = choose(
+    const ChosenCell column = choose_cell(
         std::span(cumulative_columns_).subspan(at * (columns_ + 1) + first, columns + 1), random.y);
     return sample_cell(at, first + column.cell, {row.within, column.within});
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "images/luminance.hpp"
+#include "shading/lights/choice.hpp"
 #include "shading/lights/distant_lights.hpp"
 #include "shading/lights/emissive_triangles.hpp"
 #include "shading/lights/light_tree.hpp"
@@ -23,14 +24,6 @@ namespace {
 using Imath::Color3f;
 using Imath::V2f;
 using Imath::V3f;
-
-// The rest of a number that decided between two things, from 0 to 1 again.
-float rest_below(float random, float border) { return random / border; }
-
-float rest_above(float random, float border) {
-    constexpr float largest = 0x1.fffffep-1F;
-    return std::min((random - border) / (1.0F - border), largest);
-}
 
 // Of the light at the viewer: a white wall seen frontally has radiance 1.
 constexpr Color3f eye_irradiance(std::numbers::pi_v<float>, std::numbers::pi_v<float>,

@@ -67,7 +67,7 @@ public:
     /// The same with an estimate of what of the distant light reaches each place. It changes how
     /// lights are chosen.
     [[nodiscard]] LightSet with(std::shared_ptr<const DistantVisibility> visibility) const;
-    /// What reaches a point, for such an estimate.
+    /// Its probes are what such an estimate is made of.
     [[nodiscard]] const DistantLights& distant() const { return *distant_; }
 
     /// The same with a light at the viewer of each path, without falloff.
