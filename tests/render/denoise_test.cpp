@@ -182,7 +182,7 @@ Film film_with_step(double noise) {
 }
 
 // One sample of enormous light, in a pixel or, by path reuse, in all of a block, is neither kept
-// nor spread. Its light is counted.
+// nor spread: no pixel is a stop brighter than its surroundings. Its light is counted.
 TEST(Denoise, ASingleOutlierDoesNotSpread) {
     for (const std::size_t side : {1U, 4U}) {
         Film film = film_with_step(0.5);
