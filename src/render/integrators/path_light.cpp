@@ -104,12 +104,10 @@ void PathLight::begin_tail(PathBlock& block, std::size_t lane) {
     }
 }
 
-// What a path finds by way of a mirror behind its tail is its own: a lamp there is rare and bright.
+// What a path finds by way of a mirror, at its tail or behind it, is its own: a lamp there is rare
+// and bright.
 void PathLight::scatter(Path& path, const BsdfSample& sample, bool passes_pane) {
-    if (sample.delta && path.part == Part::between) {
-        path.part = Part::whole;
-    }
-    if (sample.delta && path.part == Part::onward && !passes_pane) {
+    if (sample.delta && path.part != Part::head && !(passes_pane && path.part == Part::onward)) {
         path.throughput *= std::exchange(path.before_tail, Color3f(1.0F));
         path.part = Part::whole;
     }
@@ -120,13 +118,7 @@ void PathLight::scatter(Path& path, const BsdfSample& sample, bool passes_pane) 
     }
 }
 
-// A mirror reflection is the path's own.
 void PathLight::go_on_from_tail(Path& path, const BsdfSample& sample) {
-    if (sample.delta) {
-        path.throughput = std::exchange(path.before_tail, Color3f(1.0F)) * sample.weight;
-        path.part = Part::whole;
-        return;
-    }
     const Color3f reflected = sample.pdf * sample.weight;
     tails_.tail(path.index).onward = {sample.to_light, Color3f(0.0F), reflected};
     path.before_tail *= reflected;
