@@ -146,10 +146,11 @@ bool FrameLoop::begin_frames(const FrameNumbers& frames) {
     return !fails(found);
 }
 
-// The warnings of one frame stand for those of all.
+// The warnings of one frame stand for those of all. A stop is no mistake, wherever it comes:
+// AnimationReport::interrupted tells it.
 void FrameLoop::add_once(const Diagnostics& diagnostics) {
     for (const Diagnostic& one : diagnostics) {
-        if (told_.insert(one.message).second) {
+        if (one.kind != Kind::interrupted && told_.insert(one.message).second) {
             report_.diagnostics.push_back(one);
         }
     }
