@@ -9,11 +9,7 @@
 #include <cstddef>
 #include <vector>
 
-#include <tbb/info.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
-#include "base/fork_and_join.hpp"
+#include "base/parallel_for.hpp"
 
 namespace balcony::render {
 
@@ -31,18 +27,7 @@ struct Canvas {
 /// Calls visit(y) for each row, in parallel.
 template <class Visit>
 void for_each_row(const Canvas& canvas, const Visit& visit) {
-    const auto all = static_cast<std::size_t>(tbb::info::default_concurrency());
-    tbb::task_arena arena(
-        static_cast<int>(canvas.threads == 0 ? all : std::min(canvas.threads, all)));
-    fork_and_join::before_all();
-    arena.execute([&] {
-        tbb::parallel_for(std::size_t{0}, canvas.height, [&](std::size_t y) {
-            fork_and_join::before_each();
-            visit(y);
-            fork_and_join::after_each();
-        });
-    });
-    fork_and_join::after_all();
+    parallel_for(canvas.height, visit, canvas.threads);
 }
 
 /// Calls visit(i) for each pixel, in parallel.

@@ -7,11 +7,10 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include "balcony/display_file.hpp"
 #include "balcony/film.hpp"
-#include "base/fork_and_join.hpp"
+#include "base/parallel_for.hpp"
 #include "film/display/displayed_pixel.hpp"
 #include "film/sums/film_arrays.hpp"
 
@@ -57,7 +56,6 @@ std::vector<Sample> to_samples(const Film& film, const DisplayOptions& options, 
     const std::size_t channels = with_alpha ? 4 : 3;
     std::vector<Sample> samples(window.size() * channels);
     const auto convert_row = [&](std::size_t row) {
-        fork_and_join::before_each();
         Sample* sample = &samples[row * window.width * channels];
         const std::size_t y = window.y + row;
         for (std::size_t x = window.x; x < window.x + window.width; ++x) {
@@ -74,11 +72,8 @@ std::vector<Sample> to_samples(const Film& film, const DisplayOptions& options, 
                 *sample++ = quantised<Sample>(visible ? shown.a : 0.0F);
             }
         }
-        fork_and_join::after_each();
     };
-    fork_and_join::before_all();
-    tbb::parallel_for(std::size_t{0}, window.height, convert_row);
-    fork_and_join::after_all();
+    parallel_for(window.height, convert_row);
     return samples;
 }
 

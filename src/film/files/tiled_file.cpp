@@ -19,12 +19,12 @@
 #include <OpenEXR/ImfIO.h>
 #include <OpenEXR/ImfTiledOutputFile.h>
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include "balcony/content_hash.hpp"
 #include "balcony/output_file.hpp"
 #include "balcony/tiled_file.hpp"
 #include "balcony/work_file.hpp"
+#include "base/parallel_for.hpp"
 #include "film/files/exr_channels.hpp"
 
 namespace balcony::render {
@@ -283,7 +283,7 @@ Diagnostics TiledFile::add(const Film& band) {
     const std::size_t columns = (region.width + block_width - 1) / block_width;
     std::vector<Chunks> blocks(columns * tiles_across(region.height));
     try {
-        tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t i) {
+        parallel_for(blocks.size(), [&](std::size_t i) {
             const std::size_t x = i % columns * block_width;
             const std::size_t y = i / columns * file_tile_side;
             const Region block{region.x + x, region.y + y, std::min(block_width, region.width - x),

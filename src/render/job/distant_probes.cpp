@@ -7,8 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include <tbb/parallel_for.h>
-
+#include "base/parallel_for.hpp"
 #include "images/luminance.hpp"
 #include "render/job/coarse_rays.hpp"
 #include "render/sampling/even_pairs.hpp"
@@ -101,24 +100,25 @@ double openness(const Prober& prober, const std::vector<Lit>& lit) {
 
 std::shared_ptr<const DistantVisibility> distant_visibility(const TracedScene& traced,
                                                             PictureRays& rays, const Film& film,
-                                                            double time,
+                                                            const Settings& settings,
                                                             const std::stop_token& stop) {
     constexpr double in_the_open = 0.4;
     constexpr std::size_t directions = 96;
     if (traced.lights.distant().empty()) {
         return nullptr;
     }
-    const std::vector<Lit> lit = lit_surfaces(traced, rays, film, time);
+    const std::vector<Lit> lit = lit_surfaces(traced, rays, film, settings.time);
     const Prober prober(traced);
     if (lit.empty() || openness(prober, lit) > in_the_open) {
         return nullptr;
     }
     std::vector<DistantProbe> probes(lit.size());
-    tbb::parallel_for(std::size_t{0}, lit.size(), [&](std::size_t i) {
+    const auto probe = [&](std::size_t i) {
         if (!stop.stop_requested()) {
             probes[i] = prober.probe(lit[i], i, directions);
         }
-    });
+    };
+    parallel_for(lit.size(), probe, settings.threads);
     return stop.stop_requested() ? nullptr
                                  : std::make_shared<const DistantVisibility>(std::move(probes));
 }

@@ -6,6 +6,7 @@
 #include <stop_token>
 
 #include "balcony/film.hpp"
+#include "balcony/render.hpp"
 #include "render/job/picture_rays.hpp"
 #include "render/tracing/scene_tracer.hpp"
 #include "shading/lights/distant_visibility.hpp"
@@ -16,7 +17,7 @@ namespace balcony::render {
 /// Null where most of it does: in the open. It depends on the whole picture, not on the film's
 /// window. After a stop, it is of no use.
 [[nodiscard]] std::shared_ptr<const DistantVisibility> distant_visibility(
-    const TracedScene& traced, PictureRays& rays, const Film& film, double time,
+    const TracedScene& traced, PictureRays& rays, const Film& film, const Settings& settings,
     const std::stop_token& stop);
 
 }  // namespace balcony::render

@@ -146,7 +146,7 @@ void choose_light(JobParts& parts, PictureRays& rays, const Film& film,
         settings.ambient = Color3f(0.0F);
         if (settings.path.probes_windows) {
             parts.traced.lights = parts.traced.lights.with(
-                distant_visibility(parts.traced, rays, film, settings.time, stop));
+                distant_visibility(parts.traced, rays, film, settings, stop));
         }
     } else if (!settings.ambient) {
         settings.ambient = ambient_of(parts.traced, rays, film, settings.time);

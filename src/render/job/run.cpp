@@ -9,11 +9,8 @@
 #include <mutex>
 
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/info.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
-#include "base/fork_and_join.hpp"
+#include "base/parallel_for.hpp"
 #include "base/stopwatch.hpp"
 #include "render/job/adaptive.hpp"
 
@@ -37,17 +34,13 @@ public:
           stop_(std::move(stop)) {}
 
     Summary operator()() {
-        // More threads than the machine has would not run at the same time.
-        const auto all = static_cast<std::size_t>(tbb::info::default_concurrency());
-        const std::size_t asked = parts_.settings.threads;
-        tbb::task_arena arena(static_cast<int>(asked == 0 ? all : std::min(asked, all)));
         bool complete = true;
         for (std::uint32_t pass = fewest_passes(); complete && pass < last_pass_; ++pass) {
             if (is_adaptive() && film_.white == 0.0 &&
                 pass >= first_judgement(parts_.settings.sampling)) {
                 film_.white = white_of(film_);
             }
-            complete = add_pass(arena, pass);
+            complete = add_pass(pass);
         }
         return summary(complete);
     }
@@ -69,7 +62,7 @@ private:
 
     // Adds one pass to the tiles that have this number of passes and need more. Returns whether the
     // pass was completed.
-    bool add_pass(tbb::task_arena& arena, std::uint32_t pass) {
+    bool add_pass(std::uint32_t pass) {
         std::vector<std::size_t> tiles;
         for (std::size_t tile = 0; tile < passes_.size(); ++tile) {
             if (film_.passes[tile] == pass && passes_[tile] > pass) {
@@ -78,18 +71,14 @@ private:
         }
         std::atomic<bool> complete = true;
         const auto render_tile = [&](std::size_t i) {
-            fork_and_join::before_each();
             if (stop_.stop_requested()) {
                 complete = false;
             } else {
                 const bool sampled = workers_.local().render(tiles[i]);
                 report(pass, tiles[i], sampled);
             }
-            fork_and_join::after_each();
         };
-        fork_and_join::before_all();
-        arena.execute([&] { tbb::parallel_for(std::size_t{0}, tiles.size(), render_tile); });
-        fork_and_join::after_all();
+        parallel_for(tiles.size(), render_tile, parts_.settings.threads);
         return complete;
     }
 

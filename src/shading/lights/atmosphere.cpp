@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <tbb/parallel_for.h>
+#include "base/parallel_for.hpp"
 
 namespace balcony::render {
 
@@ -186,7 +186,7 @@ double Atmosphere::extinction(const Amounts& amounts, std::size_t wavelength) co
 
 void Atmosphere::tabulate_amounts() {
     amounts_.resize(amount_grid.heights * amount_grid.cosines);
-    tbb::parallel_for(std::size_t{0}, amount_grid.heights, [&](std::size_t h) {
+    parallel_for(amount_grid.heights, [&](std::size_t h) {
         for (std::size_t c = 0; c < amount_grid.cosines; ++c) {
             const Sightline line{ground + amount_grid.height(h), amount_grid.cosine(c)};
             amounts_[h * amount_grid.cosines + c] = amounts_to_top(line);
@@ -253,7 +253,7 @@ Spectrum Atmosphere::sky(const V3d& direction) const {
 
 void Atmosphere::tabulate_multiple_scattering() {
     multiple_.resize(multiple_grid.heights * multiple_grid.cosines);
-    tbb::parallel_for(std::size_t{0}, multiple_grid.heights, [&](std::size_t h) {
+    parallel_for(multiple_grid.heights, [&](std::size_t h) {
         const double radius = ground + multiple_grid.height(h);
         const std::vector<ScatteringRay> rays = scattering_rays(radius);
         for (std::size_t c = 0; c < multiple_grid.cosines; ++c) {

@@ -12,11 +12,11 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include "balcony/images.hpp"
 #include "balcony/progress.hpp"
 #include "balcony/scene.hpp"
+#include "base/parallel_for.hpp"
 #include "shading/lights/atmosphere.hpp"
 #include "shading/lights/environment_state.hpp"
 #include "shading/textures/texture_reader.hpp"
@@ -67,7 +67,7 @@ EnvironmentMap sky_map(const Atmosphere& air) {
     constexpr std::size_t rows = 128;  // Above the horizon.
     using std::numbers::pi;
     std::vector<Color3f> texels(width * 2 * rows);
-    tbb::parallel_for(std::size_t{0}, rows, [&](std::size_t row) {
+    parallel_for(rows, [&](std::size_t row) {
         const double angle = 0.5 * pi * (static_cast<double>(row) + 0.5) / rows;
         for (std::size_t i = 0; i < half; ++i) {
             const double turn = pi * (static_cast<double>(i) + 0.5) / half;

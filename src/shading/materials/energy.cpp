@@ -5,8 +5,9 @@
 
 #include <cmath>
 
-#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
+
+#include "base/parallel_for.hpp"
 
 namespace balcony::render {
 
@@ -42,9 +43,8 @@ const std::vector<LayerEnergies::Row>& LayerEnergies::rows() {
         std::vector<Row> all(width_count);
         // Isolated: this thread takes no other task, which might wait for these rows.
         tbb::this_task_arena::isolate([&all] {
-            tbb::parallel_for(std::size_t{0}, width_count, [&all](std::size_t i) {
-                all[i] = make_row(table_width(i, width_count));
-            });
+            parallel_for(width_count,
+                         [&all](std::size_t i) { all[i] = make_row(table_width(i, width_count)); });
         });
         return all;
     }();

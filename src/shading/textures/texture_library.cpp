@@ -8,9 +8,8 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
-#include "base/fork_and_join.hpp"
+#include "base/parallel_for.hpp"
 #include "base/shared_progress.hpp"
 
 namespace balcony::render {
@@ -90,14 +89,10 @@ void decode(const std::vector<const HeldTexture*>& held, const std::stop_token& 
             const PartDone& progress) {
     std::atomic<std::size_t> done = 0;
     SharedProgress shared(progress);
-    fork_and_join::before_all();
-    tbb::parallel_for(std::size_t{0}, held.size(), [&](std::size_t i) {
-        fork_and_join::before_each();
+    parallel_for(held.size(), [&](std::size_t i) {
         held[i]->decode(stop);
         shared.reach(static_cast<double>(++done) / static_cast<double>(held.size()));
-        fork_and_join::after_each();
     });
-    fork_and_join::after_all();
 }
 
 }  // namespace
