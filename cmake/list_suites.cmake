@@ -5,7 +5,7 @@
 # for each test would take longer than the tests.
 cmake_minimum_required(VERSION 3.25)
 
-execute_process(COMMAND "${program}" --gtest_list_tests
+execute_process(COMMAND "${CMAKE_COMMAND}" -E env ${environment} "${program}" --gtest_list_tests
     OUTPUT_VARIABLE listed RESULT_VARIABLE result)
 if(NOT result EQUAL 0)
     message(FATAL_ERROR "${program} --gtest_list_tests fails: ${result}\n${listed}")
