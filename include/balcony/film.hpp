@@ -130,15 +130,15 @@ struct MeanLayers {
     std::vector<Moments> position;
     std::vector<Matte> objects;
     std::vector<Matte> materials;
-    /// Of direct and of indirect light, the sum over one half of the samples minus that over the
-    /// other one. Both halves are spread over the passes.
-    std::vector<V3f> direct_halves;
-    std::vector<V3f> indirect_halves;
+    /// Sums of direct and of indirect light over the first half of the samples: up to the last
+    /// power of two below their number.
+    std::vector<V3f> direct_half;
+    std::vector<V3f> indirect_half;
 
     [[nodiscard]] bool any() const {
         return !(emission.empty() && direct.empty() && albedo.empty() && normal.empty() &&
-                 position.empty() && objects.empty() && materials.empty() &&
-                 direct_halves.empty() && indirect_halves.empty());
+                 position.empty() && objects.empty() && materials.empty() && direct_half.empty() &&
+                 indirect_half.empty());
     }
 };
 

@@ -202,19 +202,18 @@ TEST(MeanLayers, VarianceIsThatOfThePicture) {
     EXPECT_EQ(variance[2], 0.0F);
 }
 
-// Half of what two samples of a pixel differ by; a film with the first one alone tells which.
-TEST(MeanLayers, HalvesDifferByTheNoise) {
+// Of four or three samples, the first half is that of a film with two.
+TEST(MeanLayers, HalvesAreTheFirstSamples) {
     const auto direct = [](std::size_t samples, LayerId id) {
         const Film film =
             lamp_and_wall(with_layers(request(16, 16, "path", samples), all_layers())).film;
         return read(film, id, 12, 5)[1];
     };
-    const float first = direct(1, LayerId::direct);
-    const float mean = direct(2, LayerId::direct);
-    EXPECT_EQ(direct(1, LayerId::direct_halves), first);
-    EXPECT_NE(first, mean);
-    EXPECT_NEAR(direct(2, LayerId::direct_halves), first - mean, 1e-6F);
-    EXPECT_NEAR(direct(2, LayerId::indirect_halves), 0.0F, 1e-6F);
+    const float first = direct(2, LayerId::direct);
+    EXPECT_NE(first, direct(4, LayerId::direct));
+    EXPECT_NEAR(direct(4, LayerId::direct_half), first, 1e-6F);
+    EXPECT_NEAR(direct(3, LayerId::direct_half), first, 1e-6F);
+    EXPECT_NEAR(direct(4, LayerId::indirect_half), 0.0F, 1e-6F);
 }
 
 // ------------------------------------------------------------------------------- magnification

@@ -96,24 +96,32 @@ std::array<Plane, 3> means_of(const Film& film, const std::vector<Moments>& mome
     return means;
 }
 
-// The means of both halves of the samples, from their sum and their difference.
+// The means of both halves of the samples, from the sums of the first one and of all.
 template <class SumOf>
-Halves halves_of(const Film& film, const std::vector<V3f>& differences, const SumOf& sum_of) {
+Halves halves_of(const Film& film, const std::vector<V3f>& first_half, const SumOf& sum_of) {
     Halves halves;
     halves.fill(Plane(film.window.size()));
     for_each_pixel_of(film, [&](std::size_t x, std::size_t y, std::size_t i) {
         const std::uint32_t samples = film.samples(x, y);
-        const V3d sum = sum_of(x, y, i);
-        const V3d difference(differences[i]);
         const std::uint32_t first = first_half_of(samples);
-        const V3f mean_of_first((sum + difference) / (2.0 * first));
-        const V3f mean_of_rest((sum - difference) / (2.0 * (samples - first)));
+        const V3d sum_of_first(first_half[i]);
+        const V3f mean_of_first(sum_of_first / first);
+        const V3f mean_of_rest((sum_of(i) - sum_of_first) / (samples - first));
         for (int c = 0; c < 3; ++c) {
             halves[static_cast<std::size_t>(c)][i] = mean_of_first[c];
             halves[static_cast<std::size_t>(c) + 3][i] = mean_of_rest[c];
         }
     });
     return halves;
+}
+
+Plane part_of_first_half(const Film& film) {
+    Plane part(film.window.size());
+    for_each_pixel_of(film, [&](std::size_t x, std::size_t y, std::size_t i) {
+        const std::uint32_t samples = film.samples(x, y);
+        part[i] = static_cast<float>(first_half_of(samples)) / static_cast<float>(samples);
+    });
+    return part;
 }
 
 double luminance_of(const std::array<Plane, 3>& light) {
@@ -132,18 +140,14 @@ double filter_by_features(const Film& film, std::size_t threads, std::array<Plan
                                   means_of(film, means.albedo)},
                                  canvas);
     const double before = luminance_of(light);
+    const Plane part = part_of_first_half(film);
     // Direct light has sharp shadows, indirect light more noise.
-    const FilteredLight direct = filtered(
-        halves_of(film, means.direct_halves,
-                  [&](std::size_t, std::size_t, std::size_t i) { return means.direct[i]; }),
-        surfaces, 1);
+    const FilteredLight direct =
+        filtered(halves_of(film, means.direct_half, [&](std::size_t i) { return means.direct[i]; }),
+                 part, surfaces, 1);
     const FilteredLight indirect = filtered(
-        halves_of(film, means.indirect_halves,
-                  [&](std::size_t, std::size_t, std::size_t i) {
-                      const Color4d& sum = film.sum[i];
-                      return V3d(sum.r, sum.g, sum.b) - means.emission[i] - means.direct[i];
-                  }),
-        surfaces, 3);
+        halves_of(film, means.indirect_half, [&](std::size_t i) { return indirect_sum(film, i); }),
+        part, surfaces, 3);
     light = emission_of(film);
     for (std::size_t c = 0; c < light.size(); ++c) {
         for_each_pixel(canvas, [&](std::size_t i) {
@@ -196,8 +200,8 @@ void store(const std::array<Plane, 3>& light, Film& film) {
 Names<Denoiser> denoisers() { return Names<Denoiser>(denoiser_rows); }
 
 LayerSet denoise_layers() {
-    return {LayerId::emission,        LayerId::direct,      LayerId::direct_halves,
-            LayerId::indirect_halves, LayerId::mean_albedo, LayerId::mean_normal,
+    return {LayerId::emission,      LayerId::direct,      LayerId::direct_half,
+            LayerId::indirect_half, LayerId::mean_albedo, LayerId::mean_normal,
             LayerId::mean_position};
 }
 

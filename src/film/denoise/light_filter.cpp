@@ -27,22 +27,26 @@ Plane luminance_of(const Halves& halves, std::size_t half, const Canvas& canvas)
     return made;
 }
 
-Plane mean_luminance(const Halves& halves, const Canvas& canvas) {
+// The mean of all samples, of which `part` are in the first half.
+float mean(float of_first, float of_second, float part) {
+    return part * of_first + (1.0F - part) * of_second;
+}
+
+Plane mean_luminance(const Halves& halves, const Plane& part, const Canvas& canvas) {
     Plane made(canvas.size());
     for_each_pixel(canvas, [&](std::size_t i) {
-        made[i] = 0.5F * (luminance_of(halves, first, i) + luminance_of(halves, second, i));
+        made[i] = mean(luminance_of(halves, first, i), luminance_of(halves, second, i), part[i]);
     });
     return made;
 }
 
 // The variance of the mean of both halves, whether neighbours share paths or not.
-Plane noise(const Halves& halves, const Canvas& canvas) {
+Plane noise(const Halves& halves, const Plane& part, const Canvas& canvas) {
     constexpr std::size_t radius = 5;
     Plane squares(canvas.size());
     for_each_pixel(canvas, [&](std::size_t i) {
-        const float difference =
-            0.5F * (luminance_of(halves, first, i) - luminance_of(halves, second, i));
-        squares[i] = difference * difference;
+        const float difference = luminance_of(halves, first, i) - luminance_of(halves, second, i);
+        squares[i] = part[i] * (1.0F - part[i]) * difference * difference;
     });
     return box_mean(squares, radius, canvas);
 }
@@ -50,7 +54,7 @@ Plane noise(const Halves& halves, const Canvas& canvas) {
 // What one half of the samples has found, the other one should find nearby, or at least in part at
 // the same pixel. Light far beyond that is an outlier and limited to it. Returns the luminance that
 // is left out, summed over the pixels.
-double limit_outliers(Halves& halves, const Canvas& canvas) {
+double limit_outliers(Halves& halves, const Plane& part, const Canvas& canvas) {
     constexpr float beyond_neighbours = 6.0F;
     constexpr float beyond_pixel = 4.0F;
     constexpr std::size_t radius = 3;
@@ -64,7 +68,7 @@ double limit_outliers(Halves& halves, const Canvas& canvas) {
             const float limit = std::max(beyond_neighbours * nearby[i], beyond_pixel * other[i]);
             if (own[i] > limit) {
                 const float kept = limit / own[i];
-                left_out[i] += 0.5F * (own[i] - limit);
+                left_out[i] += (half == first ? part[i] : 1.0F - part[i]) * (own[i] - limit);
                 for (std::size_t c = half; c < half + colors; ++c) {
                     halves[c][i] *= kept;
                 }
@@ -77,8 +81,8 @@ double limit_outliers(Halves& halves, const Canvas& canvas) {
 // The squared error of the mean of both halves of a candidate, up to a term that all candidates
 // have in common: each half is compared with the samples of the other one, whose noise is
 // independent. The mean has less noise than a half, by what their difference tells.
-Plane squared_error(const Halves& candidate, const Halves& samples, const Plane& weight,
-                    const Canvas& canvas) {
+Plane squared_error(const Halves& candidate, const Halves& samples, const Plane& part,
+                    const Plane& weight, const Canvas& canvas) {
     const auto square = [](float v) { return v * v; };
     Plane made(canvas.size());
     for_each_pixel(canvas, [&](std::size_t i) {
@@ -86,8 +90,9 @@ Plane squared_error(const Halves& candidate, const Halves& samples, const Plane&
         for (std::size_t c = 0; c < colors; ++c) {
             const float a = candidate[first + c][i];
             const float b = candidate[second + c][i];
-            sum += 0.5F * (square(a - samples[second + c][i]) + square(b - samples[first + c][i])) -
-                   0.25F * square(a - b);
+            sum += mean(square(a - samples[second + c][i]), square(b - samples[first + c][i]),
+                        part[i]) -
+                   part[i] * (1.0F - part[i]) * square(a - b);
         }
         made[i] = weight[i] * sum;
     });
@@ -95,9 +100,9 @@ Plane squared_error(const Halves& candidate, const Halves& samples, const Plane&
 }
 
 // By which squared errors become relative to the light nearby.
-Plane relative_to(const Halves& light, const Canvas& canvas) {
+Plane relative_to(const Halves& light, const Plane& part, const Canvas& canvas) {
     constexpr double darkest = 0.01;  // Of the mean of the picture.
-    Plane made = box_mean(mean_luminance(light, canvas), 2, canvas);
+    Plane made = box_mean(mean_luminance(light, part, canvas), 2, canvas);
     double sum = 0.0;
     for (const float value : made) {
         sum += double{value};
@@ -113,11 +118,12 @@ using Candidates = std::array<Halves, std::tuple_size_v<Stack>>;
 
 // In each pixel, that of the candidates, from noisy to smooth, whose error is the least in pixels
 // nearby that show the same surface. The smoother one is taken if the difference may be chance.
-Halves best_of(const Candidates& candidates, const Plane& weight, const SurfaceFilter& filter) {
+Halves best_of(const Candidates& candidates, const Plane& part, const Plane& weight,
+               const SurfaceFilter& filter) {
     const Canvas& canvas = filter.canvas();
     Stack errors;
     for (std::size_t k = 0; k < errors.size(); ++k) {
-        errors[k] = squared_error(candidates[k], candidates.front(), weight, canvas);
+        errors[k] = squared_error(candidates[k], candidates.front(), part, weight, canvas);
     }
     for (std::size_t spacing = 1; spacing <= 16; spacing *= 2) {
         errors = filter.filtered(errors, spacing, nullptr);
@@ -149,8 +155,8 @@ void multiply_by(const Surfaces& surfaces, float (*factor)(float albedo), Halves
 
 // The mean of both halves of the filtered light, and what it lacks, or has too much, over areas of
 // some eight pixels, as far as both halves of the samples agree on it.
-std::array<Plane, 3> with_means_of(const Halves& samples, const Halves& light, const Plane& weight,
-                                   const Canvas& canvas) {
+std::array<Plane, 3> with_means_of(const Halves& samples, const Halves& light, const Plane& part,
+                                   const Plane& weight, const Canvas& canvas) {
     constexpr std::size_t radius = 3;
     constexpr float largest_part = 0.1F;  // A bright spot has no halo.
     Stack lacking;
@@ -165,20 +171,22 @@ std::array<Plane, 3> with_means_of(const Halves& samples, const Halves& light, c
     double all = 0.0;
     for (std::size_t c = 0; c < colors; ++c) {
         for (std::size_t i = 0; i < canvas.size(); ++i) {
-            const double a = lacking[first + c][i];
-            const double b = lacking[second + c][i];
+            const float a = lacking[first + c][i];
+            const float b = lacking[second + c][i];
+            const float both = mean(a, b, part[i]);
             agreed += double{weight[i]} * a * b;
-            all += double{weight[i]} * 0.25 * (a + b) * (a + b);
+            all += double{weight[i]} * both * both;
         }
     }
-    const auto part = static_cast<float>(all > 0.0 ? std::clamp(agreed / all, 0.0, 1.0) : 0.0);
+    const auto sure = static_cast<float>(all > 0.0 ? std::clamp(agreed / all, 0.0, 1.0) : 0.0);
     std::array<Plane, 3> made;
     for (std::size_t c = 0; c < colors; ++c) {
         made[c].resize(canvas.size());
         for_each_pixel(canvas, [&](std::size_t i) {
-            const float mean = 0.5F * (light[first + c][i] + light[second + c][i]);
-            const float change = part * 0.5F * (lacking[first + c][i] + lacking[second + c][i]);
-            made[c][i] = mean + std::clamp(change, -largest_part * mean, largest_part * mean);
+            const float found = mean(light[first + c][i], light[second + c][i], part[i]);
+            const float change =
+                sure * mean(lacking[first + c][i], lacking[second + c][i], part[i]);
+            made[c][i] = found + std::clamp(change, -largest_part * found, largest_part * found);
         });
     }
     return made;
@@ -186,11 +194,12 @@ std::array<Plane, 3> with_means_of(const Halves& samples, const Halves& light, c
 
 }  // namespace
 
-FilteredLight filtered(Halves halves, const SurfaceFilter& filter, std::size_t blur_radius) {
+FilteredLight filtered(Halves halves, const Plane& part, const SurfaceFilter& filter,
+                       std::size_t blur_radius) {
     constexpr float tolerance = 1.5F;
     const Canvas& canvas = filter.canvas();
     FilteredLight made;
-    made.left_out = limit_outliers(halves, canvas);
+    made.left_out = limit_outliers(halves, part, canvas);
     // Without textures, the light is smoother.
     Candidates candidates;
     candidates[0] = halves;
@@ -198,15 +207,15 @@ FilteredLight filtered(Halves halves, const SurfaceFilter& filter, std::size_t b
         filter.surfaces(), [](float albedo) { return 1.0F / albedo; }, candidates[0], canvas);
     for (std::size_t k = 1; k < candidates.size(); ++k) {
         const Halves& before = candidates[k - 1];
-        const Guide guide{box_mean(mean_luminance(before, canvas), blur_radius, canvas),
-                          noise(before, canvas), tolerance};
+        const Guide guide{box_mean(mean_luminance(before, part, canvas), blur_radius, canvas),
+                          noise(before, part, canvas), tolerance};
         candidates[k] = filter.filtered(before, std::size_t{1} << (k - 1), &guide);
     }
-    const Plane weight = relative_to(candidates.back(), canvas);
-    Halves best = best_of(candidates, weight, filter);
+    const Plane weight = relative_to(candidates.back(), part, canvas);
+    Halves best = best_of(candidates, part, weight, filter);
     multiply_by(
         filter.surfaces(), [](float albedo) { return albedo; }, best, canvas);
-    made.light = with_means_of(halves, best, weight, canvas);
+    made.light = with_means_of(halves, best, part, weight, canvas);
     return made;
 }
 

@@ -18,10 +18,10 @@ struct FilteredLight {
         0.0;  ///< The luminance of outliers that is not in the light, over all pixels.
 };
 
-/// The mean of both halves, without noise. The light is compared pixel by pixel after a mean over
-/// so many pixels in each direction: the smaller, the sharper shadows may be, and the more noise
-/// is taken for them.
-[[nodiscard]] FilteredLight filtered(Halves halves, const SurfaceFilter& filter,
+/// The mean of both halves, without noise. `part` is the part of the samples that is in the first
+/// one, by pixel. The light is compared pixel by pixel after a mean over so many pixels in each
+/// direction: the smaller, the sharper shadows may be, and the more noise is taken for them.
+[[nodiscard]] FilteredLight filtered(Halves halves, const Plane& part, const SurfaceFilter& filter,
                                      std::size_t blur_radius);
 
 }  // namespace balcony::render

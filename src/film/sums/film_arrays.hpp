@@ -41,7 +41,7 @@ void for_each_array(AnyFilm& film, const Visit& visit) {
     const std::span white_alone(&white, 1);
     each(sum, sum_of_squares, display, mirrored, passes, pixel_passes, first_half, white_alone);
     auto& [emission, direct, mean_albedo, mean_normal, mean_position, object_mattes,
-           material_mattes, direct_halves, indirect_halves] = means;
+           material_mattes, direct_half, indirect_half] = means;
     each(emission, direct, mean_albedo, mean_normal, mean_position, object_mattes, material_mattes);
     if (layers) {
         auto& [ray_length, position, normal, albedo, object, origin, direction, parameters, valid,
@@ -49,7 +49,7 @@ void for_each_array(AnyFilm& film, const Visit& visit) {
         each(ray_length, position, normal, albedo, object, origin, direction, parameters, valid,
              layer, magnification, motion);
     }
-    each(direct_halves, indirect_halves);
+    each(direct_half, indirect_half);
 }
 
 /// Empties a film, and makes it one of another window of the picture with the same contents.

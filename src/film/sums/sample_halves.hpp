@@ -2,28 +2,29 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// The samples of a pixel in two halves, whose difference tells their noise.
+// The samples of a pixel in two halves, whose difference tells their noise. Both are runs of
+// samples, which a low-discrepancy sequence spreads evenly. Halves that alternate would each have
+// gaps where the other one has its samples, and differ by more than the noise, above all at edges.
 
+#include <bit>
 #include <cstdint>
+
+#include "balcony/film.hpp"
 
 namespace balcony::render {
 
-/// Whether the sample with a number, from 0, is in the first half. The bits of the number that
-/// decide are not the last one: by that one, a low-discrepancy sequence divides the pixel, too.
-[[nodiscard]] constexpr bool in_first_half(std::uint32_t sample) {
-    // Of two samples, one is in each half.
-    return sample == 1 ? false : sample == 2 ? true : ((sample >> 1 ^ sample >> 2) & 1U) == 0;
-}
-
-/// How many of the first `samples` are in the first half.
+/// How many of the first `samples` are in the first half: the largest power of two that leaves some
+/// for the second one.
 [[nodiscard]] constexpr std::uint32_t first_half_of(std::uint32_t samples) {
-    std::uint32_t count = samples / 8 * 4;
-    for (std::uint32_t sample = samples / 8 * 8; sample < samples; ++sample) {
-        count += in_first_half(sample) ? 1 : 0;
-    }
-    return count;
+    return samples < 2 ? samples : std::bit_floor(samples - 1);
 }
 
-static_assert(first_half_of(2) == 1 && first_half_of(8) == 4 && first_half_of(16) == 8);
+static_assert(first_half_of(2) == 1 && first_half_of(16) == 8 && first_half_of(17) == 16);
+
+/// The sum of the light of a pixel that several surfaces reflect.
+[[nodiscard]] inline V3d indirect_sum(const Film& film, std::size_t at) {
+    const Color4d& sum = film.sum[at];
+    return V3d(sum.r, sum.g, sum.b) - film.means.emission[at] - film.means.direct[at];
+}
 
 }  // namespace balcony::render

@@ -37,8 +37,19 @@ void write_data(DataLayers& layers, std::size_t at, const PointData& data) {
     }
 }
 
+// Keeps the light of the first half of the samples, after which the second one begins.
+void keep_half(Film& film, std::size_t at) {
+    MeanLayers& means = film.means;
+    if (!means.direct_half.empty()) {
+        means.direct_half[at] = V3f(means.direct[at]);
+    }
+    if (!means.indirect_half.empty()) {
+        means.indirect_half[at] = V3f(indirect_sum(film, at));
+    }
+}
+
 // The sample with number `count`, from 1.
-void add_means(MeanLayers& means, std::size_t at, std::uint32_t count, const Color4f& light,
+void add_means(MeanLayers& means, std::size_t at, std::uint32_t count,
                std::span<const Contribution> contributions) {
     Color3f emission(0.0F);
     Color3f direct(0.0F);
@@ -72,13 +83,6 @@ void add_means(MeanLayers& means, std::size_t at, std::uint32_t count, const Col
     };
     sum(means.emission, emission);
     sum(means.direct, direct);
-    const auto add_or_subtract = [at, count](std::vector<V3f>& halves, const V3f& value) {
-        if (!halves.empty()) {
-            halves[at] += in_first_half(count - 1) ? value : -value;
-        }
-    };
-    add_or_subtract(means.direct_halves, direct);
-    add_or_subtract(means.indirect_halves, V3f(light.r, light.g, light.b) - emission - direct);
     const auto average = [&](std::vector<Moments>& moments, const V3f& value) {
         if (!moments.empty()) {
             moments[at].add(value, count);
@@ -123,6 +127,15 @@ void add_pass(Film& film, std::size_t tile, const TileImage& image) {
             ++film.pixel_passes[at];
         });
     }
+    if (!image.contributions.empty()) {
+        const std::uint32_t count = film.passes[tile] + 1;
+        for_each_sample([&](std::size_t i, std::size_t at) {
+            if (first_half_of(count) == count - 1) {
+                keep_half(film, at);
+            }
+            add_means(film.means, at, count, image.contributions[i]);
+        });
+    }
     const auto add = [&](std::vector<Color4d>& sums, const std::vector<Color4f>& samples) {
         if (samples.empty()) {
             return;
@@ -147,12 +160,6 @@ void add_pass(Film& film, std::size_t tile, const TileImage& image) {
             if (image.data[i].valid) {
                 write_data(*film.layers, at, image.data[i]);
             }
-        });
-    }
-    if (!image.contributions.empty()) {
-        for_each_sample([&](std::size_t i, std::size_t at) {
-            add_means(film.means, at, film.passes[tile] + 1, image.light[i],
-                      image.contributions[i]);
         });
     }
     ++film.passes[tile];
