@@ -124,7 +124,8 @@ struct Matte {
 struct MeanLayers {
     std::vector<V3d> emission;  ///< Sums of light that came from its source to the camera directly.
     std::vector<V3d> direct;    ///< Sums of light that one surface reflected or refracted.
-    /// Of the first surface with a non-zero opacity; 0 where there is none.
+    /// Of the first surface with a non-zero opacity, or of what such a mirror or clear glass shows
+    /// where paths are traced; 0 where there is none.
     std::vector<Moments> albedo;
     std::vector<Moments> normal;
     std::vector<Moments> position;

@@ -177,6 +177,44 @@ TEST(MeanLayers, AreFilteredLikeThePicture) {
     EXPECT_GT(read(film, LayerId::mean_albedo, 15, 9)[0], 0.0F);
 }
 
+// A pane shows the red wall behind it, a mirror the green wall behind the viewer. The reflection in
+// the pane takes the least part of a sample.
+TEST(MeanLayers, AreThoseOfWhatMirrorsAndGlassShow) {
+    scene::Scene scene;
+    const auto wall = [&](V3f corner, V3f right, V3f up, const scene::Material& material) {
+        add(scene, parallelogram(corner, right, up), material);
+    };
+    scene::Material pane = white();
+    pane.roughness = 0.0F;
+    pane.transmission = 1.0F;
+    pane.thin_walled = true;
+    scene::Material mirror = white();
+    mirror.roughness = 0.0F;
+    mirror.metallic = 1.0F;
+    scene::Material red = white();
+    red.base_color = Color3f(1.0F, 0.0F, 0.0F);
+    scene::Material green = white();
+    green.base_color = Color3f(0.0F, 1.0F, 0.0F);
+    const V3f x(1.0F, 0.0F, 0.0F);
+    const V3f y(0.0F, 2.0F, 0.0F);
+    wall({-1.0F, -1.0F, 0.0F}, x, y, pane);
+    wall({0.0F, -1.0F, 0.0F}, x, y, mirror);
+    wall({-1.0F, -1.0F, -1.0F}, x, y, red);
+    wall({1.0F, -1.0F, 9.0F}, -x, y, green);
+    const Film film = render(scene, orthographic(view_down_z(0.0, 0.0, 1.0)),
+                             with_layers(request(8, 8, "path", 64), all_layers()))
+                          .film;
+    EXPECT_GT(read(film, LayerId::mean_albedo, 1, 4)[0], 0.5F);
+    EXPECT_EQ(read(film, LayerId::mean_albedo, 1, 4)[1], 0.0F);
+    EXPECT_LT(read(film, LayerId::mean_position, 1, 4)[2], -0.5F);
+    EXPECT_EQ(read(film, LayerId::mean_albedo, 6, 4)[0], 0.0F);
+    EXPECT_NEAR(read(film, LayerId::mean_albedo, 6, 4)[1], 1.0F, 1e-6F);
+    EXPECT_NEAR(read(film, LayerId::mean_normal, 6, 4)[2], -1.0F, 1e-6F);
+    // The data of the pixel's centre are those of the surface itself.
+    EXPECT_EQ(read(film, LayerId::albedo, 1, 4)[1], 1.0F);
+    EXPECT_EQ(read(film, LayerId::position, 6, 4)[2], 0.0F);
+}
+
 TEST(MeanLayers, MomentsAreThoseOfTheSamples) {
     Moments moments;
     const float samples[] = {1000.5F, 1000.25F, 1001.0F, 999.75F};

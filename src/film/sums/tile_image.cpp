@@ -68,13 +68,13 @@ void add_means(MeanLayers& means, std::size_t at, std::uint32_t count,
         cover(means.materials, one.coverage.materials);
         emission += one.weight * one.parts.emission;
         direct += one.weight * one.parts.direct;
-        const VisibleSurface& visible = one.visible;
-        if (!visible.any) {
+        const VisibleSurface& shown = one.shown;
+        if (!shown.any) {
             continue;
         }
-        albedo += one.weight * visible.albedo;
-        normal += one.weight * visible.normal;
-        position += one.weight * visible.position;
+        albedo += one.weight * shown.albedo;
+        normal += one.weight * shown.normal;
+        position += one.weight * shown.position;
     }
     const auto sum = [at](std::vector<V3d>& sums, const V3f& value) {
         if (!sums.empty()) {

@@ -66,7 +66,7 @@ struct PointData {
 struct Contribution {
     float weight = 0.0F;  ///< Of the camera layer at the point, from 0 to 1.
     LightParts parts;
-    VisibleSurface visible;
+    VisibleSurface shown;  ///< As in Seen.
     Coverage coverage;
 };
 

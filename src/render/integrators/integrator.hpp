@@ -27,7 +27,8 @@ struct Seen {
     LightParts parts;        ///< Of the radiance.
     float softened = 0.0F;   ///< The luminance that came by way of softened mirrors or glass.
     VisibleSurface visible;
-    Coverage coverage;  ///< Of all that is seen directly.
+    VisibleSurface shown;  ///< The same, or what a mirror or clear glass shows instead of itself.
+    Coverage coverage;     ///< Of all that is seen directly.
 };
 
 /// A ray of the camera with its first hit, and the random numbers of its pixel and pass.

@@ -35,6 +35,12 @@ float softening(std::uint32_t pass) {
     return first * std::pow(static_cast<float>(pass + 1), -1.0F / 12.0F);
 }
 
+// Whether a surface shows others, in focus, instead of itself.
+bool is_clear(const BsdfMaterial& material) {
+    constexpr float sharp = 0.1F;
+    return material.is_clear() || (material.roughness < sharp && is_black(material.diffuse));
+}
+
 class PathTracer final : public Integrator {
 public:
     PathTracer(const TracedScene& traced, const Settings& settings)
@@ -122,6 +128,9 @@ LaneBits PathTracer::advance(std::size_t count) {
 PathTracer::Encounter PathTracer::meet(std::size_t lane) {
     Path& path = block_.path(lane);
     if (!path.hit.any()) {
+        if (path.is_clear && path.bounces.all > 0) {
+            light_.seen(path).shown = {};
+        }
         add_distant_light(path);
         return Encounter::ends;
     }
@@ -131,6 +140,7 @@ PathTracer::Encounter PathTracer::meet(std::size_t lane) {
     const bool seen_directly = path.bounces.all == 0;
     if (seen_directly && !seen.visible.any && appearance.opacity > 0.0F) {
         seen.visible = tracer_.visible(at);
+        seen.shown = seen.visible;
     }
     if (appearance.opacity < 1.0F && path.crossings < max_crossings &&
         block_.numbers(lane).next() >= appearance.opacity) {
@@ -140,6 +150,8 @@ PathTracer::Encounter PathTracer::meet(std::size_t lane) {
     if (seen_directly) {
         seen.radiance.a = 1.0F;
         seen.coverage.add(tracer_.visible(at), 1.0F);
+    } else if (path.is_clear) {
+        seen.shown = tracer_.visible(at);
     }
     absorb(path, at.surface.position);
     add_emission(path, at);
@@ -151,6 +163,7 @@ PathTracer::Encounter PathTracer::meet(std::size_t lane) {
     }
     const V3f to_viewer = -path.ray.direction;
     path.is_softened |= block_.bsdfs().add(lane, at, to_viewer, path.least_roughness);
+    path.is_clear = path.is_clear && is_clear(block_.bsdfs().material(lane));
     block_.point(lane) = {at.surface.position,
                           tracer_.lights().are_at_eye() && !seen_directly
                               ? (path.eye - at.surface.position).normalized()

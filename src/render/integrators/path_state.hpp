@@ -48,6 +48,7 @@ struct Path {
     /// Of the surfaces to come: where light has been scattered, a lamp in a mirror is softened.
     float least_roughness = 0.0F;
     bool is_softened = false;  ///< Such a surface was rougher than it is.
+    bool is_clear = true;      ///< Only mirrors and clear glass have scattered its light.
     Color3f absorption{0.0F};  ///< Of what the ray passes, per scene unit.
     float absorbed = 0.0F;     ///< The length from there up to which light has been absorbed.
     Sampler sampler;

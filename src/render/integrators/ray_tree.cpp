@@ -64,6 +64,7 @@ void RayTree::follow(const Branch& branch, const embree::Hit& hit, Seen& seen) {
         seen.coverage.add(surface, part);
         if (!seen.visible.any) {
             seen.visible = surface;
+            seen.shown = surface;
         }
     }
     const Shaded shaded = shade(branch.ray, at);

@@ -210,7 +210,7 @@ void Compositor::trace_layer(const Element& element, const Veil& veil, Work& wor
             count.softened_light += static_cast<double>(seen.softened);
         }
         if (!work.seen.empty()) {
-            work.seen[layer][i] = {1.0F, seen.parts, seen.visible, seen.coverage};
+            work.seen[layer][i] = {1.0F, seen.parts, seen.shown, seen.coverage};
         }
         if (!data_apart) {
             add_data(element, veil, i, seen, work);
