@@ -65,6 +65,18 @@ class Blend(support.CommandTest):
         self.assertLess(left[30][5], left[30][40])
         self.assertEqual(left[30][75], 65535)
 
+    def test_masks_are_for_a_projector_of_a_gamma(self):
+        words = ("blend", "dome.cam:left", "dome.cam:right", "--from", "fulldome", "--size", "40x30",
+                 "-o", "out", "--gamma")
+        self.run_command(*words, "1")
+        linear = self.mask("left.png")
+        out, _ = self.run_command(*words, "2")
+        for shares, levels in zip(linear, self.mask("left.png"), strict=True):
+            for share, level in zip(shares, levels, strict=True):
+                self.assertAlmostEqual((level / 65535) ** 2, share / 65535, delta=1e-4)
+        blended = sum(0 < share < 65535 for shares in linear for share in shares)
+        self.assertIn(f"left.png, {blended} of 1200 pixels blended", out)
+
     def test_one_file_for_each(self):
         words = ("blend", "dome.cam:left", "dome.cam:right", "--from", "fulldome", "--size", "40x30",
                  "-o", "out", "--only-mesh")
