@@ -97,17 +97,12 @@ std::optional<LocatedDefinition> selected(const Module* module, std::string_view
     return place != nullptr ? std::optional(*place) : std::nullopt;
 }
 
-// The same with its base.
-std::optional<ResolvedLayer> find(const Module* module, std::string_view name, bool camera_wanted,
-                                  Session& session) {
+// The same with its base. A picture is an error if a camera is needed.
+std::optional<ResolvedLayer> find(const Module* module, std::string_view name, Session& session,
+                                  bool camera_wanted = false) {
     const auto place = selected(module, name, camera_wanted, session.reporter());
-    return place ? resolve_base({*place, {}}, session) : std::nullopt;
-}
-
-std::optional<ResolvedLayer> find_camera(const Module* module, std::string_view name,
-                                         Session& session) {
-    auto found = find(module, name, true, session);
-    if (found && found->place.camera->is_picture) {
+    auto found = place ? resolve_base({*place, {}}, session) : std::nullopt;
+    if (camera_wanted && found && found->place.camera->is_picture) {
         const Identifier& named = found->place.camera->name;
         session.reporter().error(
             found->place.module->tree.at(named.span),
@@ -116,11 +111,6 @@ std::optional<ResolvedLayer> find_camera(const Module* module, std::string_view 
         return std::nullopt;
     }
     return found;
-}
-
-std::optional<ResolvedLayer> find_shown(const Module* module, std::string_view name,
-                                        Session& session) {
-    return find(module, name, false, session);
 }
 
 // Reports names that are no parameters of a camera.
@@ -259,16 +249,14 @@ public:
     explicit Implementation(camera::Catalogue known)
         : catalogue(std::move(known)), files(catalogue) {}
 
-    /// `find` gives the definition.
-    template <class Find>
     Result<OpenPicture> make_open(const CameraSource& source, std::string_view name,
                                   const std::vector<Override>& overrides,
                                   const std::optional<std::vector<std::string>>& open,
-                                  const Find& find) {
+                                  bool camera_wanted) {
         const auto make = [&](const std::vector<std::string>& names) -> Result<OpenAttempt> {
             Session session = begin();
             const Module* module = read(session, source);
-            auto found = find(module, name, session);
+            auto found = find(module, name, session, camera_wanted);
             std::vector<Value> values;
             if (found && names.empty() && open) {
                 check_parameters(found->place, *open, session.reporter());
@@ -324,7 +312,7 @@ Result<camera::Camera> Workspace::make_camera(const CameraSource& source, std::s
                                               const std::vector<Override>& overrides) {
     Session session = implementation_->begin();
     const Module* module = read(session, source);
-    auto found = find_camera(module, name, session);
+    auto found = find(module, name, session, true);
     std::optional<camera::Camera> made;
     if (found) {
         found->given.overrides = overrides;
@@ -338,8 +326,7 @@ Result<camera::Camera> Workspace::make_camera(const CameraSource& source, std::s
 Result<OpenCamera> Workspace::make_open_camera(
     const CameraSource& source, std::string_view name, const std::vector<Override>& overrides,
     const std::optional<std::vector<std::string>>& open) {
-    Result<OpenPicture> made =
-        implementation_->make_open(source, name, overrides, open, find_camera);
+    Result<OpenPicture> made = implementation_->make_open(source, name, overrides, open, true);
     if (!made) {
         return std::move(made.diagnostics);
     }
@@ -351,14 +338,14 @@ Result<OpenCamera> Workspace::make_open_camera(
 Result<OpenPicture> Workspace::make_open_picture(
     const CameraSource& source, std::string_view name, const std::vector<Override>& overrides,
     const std::optional<std::vector<std::string>>& open) {
-    return implementation_->make_open(source, name, overrides, open, find_shown);
+    return implementation_->make_open(source, name, overrides, open, false);
 }
 
 Result<camera::Picture> Workspace::make_picture(const CameraSource& source, std::string_view name,
                                                 const std::vector<Override>& overrides) {
     Session session = implementation_->begin();
     const Module* module = read(session, source);
-    auto found = find_shown(module, name, session);
+    auto found = find(module, name, session);
     std::optional<camera::Picture> made =
         found ? build_whole(*found, overrides, session) : std::nullopt;
     implementation_->fitted = session.fitted();
@@ -400,7 +387,7 @@ Result<ExplainedPicture> Workspace::explain(const CameraSource& source, std::str
                                             const std::vector<Override>& overrides) {
     Session session = implementation_->begin();
     const Module* module = read(session, source);
-    auto found = find_shown(module, name, session);
+    auto found = find(module, name, session);
     std::optional<camera::Picture> made =
         found ? build_whole(*found, overrides, session) : std::nullopt;
     std::optional<ExplainedPicture> explained;
