@@ -9,7 +9,11 @@
 #include <limits>
 #include <type_traits>
 
+#if BALCONY_EMBREE == 3
 #include <embree3/rtcore.h>
+#else
+#include <embree4/rtcore.h>
+#endif
 
 #include "timing.hpp"
 
@@ -74,6 +78,20 @@ void attach(RTCDevice device, RTCScene world, const scene::Mesh& mesh,
     rtcReleaseGeometry(geometry);
 }
 
+void trace(RTCScene world, Packet& packet) {
+#if BALCONY_EMBREE == 3
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    rtcIntersect16(packet.valid.data(), world, &context, &packet.rays);
+#else
+    RTCIntersectArguments arguments;
+    rtcInitIntersectArguments(&arguments);
+    arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+    rtcIntersect16(packet.valid.data(), world, &packet.rays, &arguments);
+#endif
+}
+
 }  // namespace
 
 struct BareEmbree::State {
@@ -114,10 +132,7 @@ double BareEmbree::seconds(const rays::RayProgram& rays,
         Stopwatch stopwatch(1);
         stopwatch.time(0, [&] {
             for (Packet& packet : packets) {
-                RTCIntersectContext context;
-                rtcInitIntersectContext(&context);
-                context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-                rtcIntersect16(packet.valid.data(), state_->world, &context, &packet.rays);
+                trace(state_->world, packet);
             }
         });
         total += stopwatch.seconds();

@@ -11,12 +11,12 @@
 #include <string>
 #include <vector>
 
-#include <embree3/rtcore.h>
 #include <fmt/format.h>
 
 #include "render/embree/build_monitor.hpp"
 #include "render/embree/instance_use.hpp"
 #include "render/embree/packet_setup.hpp"
+#include "render/embree/rtcore.hpp"
 #include "shading/geometry/motion_steps.hpp"
 #include "shading/materials/material_set.hpp"
 
@@ -57,9 +57,8 @@ Hit to_hit(unsigned instance, unsigned geometry, unsigned triangle, float u, flo
     return {instance != RTC_INVALID_GEOMETRY_ID ? instance : geometry, triangle, u, v};
 }
 
-struct ShadowQuery {
-    RTCIntersectContext
-        context;  // The first member, so that a filter can access the others through it.
+// A filter finds it through its base.
+struct ShadowQuery : QueryContext {
     const TransmittanceSource* surfaces;
     std::span<const Ray> rays;                 // By their ids, in world coordinates.
     std::span<Imath::Color3f> transmittances;  // The same.
@@ -67,7 +66,7 @@ struct ShadowQuery {
 
 // Lets a shadow ray pass a transparent surface, attenuated by its opacity.
 void pass_transparent(const RTCFilterFunctionNArguments* arguments) {
-    auto* query = reinterpret_cast<ShadowQuery*>(arguments->context);
+    auto* query = static_cast<ShadowQuery*>(static_cast<QueryContext*>(arguments->context));
     const unsigned count = arguments->N;
     for (unsigned i = 0; i < count; ++i) {
         if (arguments->valid[i] != -1) {
@@ -184,7 +183,7 @@ RTCRayHit to_ray_hit(const Ray& ray) {
 }
 
 static_assert(Packet::size == 16 && sizeof(Packet) % alignof(RTCRayHit16) == 0 &&
-              offsetof(Packet, valid) == sizeof(RTCRayHit16) &&
+              offsetof(Packet, valid) >= sizeof(RTCRayHit16) &&
               offsetof(Packet, farthest) == offsetof(RTCRayHit16, ray.tfar) &&
               offsetof(Packet, normal_x) == offsetof(RTCRayHit16, hit.Ng_x) &&
               offsetof(Packet, geometry) == offsetof(RTCRayHit16, hit.geomID) &&
@@ -333,10 +332,8 @@ Hit Accelerator::intersect(const Ray& ray) const {
     if (!state_->traceable(ray)) {
         return {};
     }
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
     RTCRayHit query = to_ray_hit(ray);
-    rtcIntersect1(state_->world.get(), &context, &query);
+    embree::intersect(state_->world.get(), query);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) {
         return {};
     }
@@ -344,17 +341,11 @@ Hit Accelerator::intersect(const Ray& ray) const {
                   query.hit.v);
 }
 
-// A stream of packets costs Embree less than each by itself.
 void Accelerator::intersect(std::span<Packet> packets) const {
     prepare(packets, state_->reach);
     for (std::size_t first = 0; first < packets.size(); first += 2) {
-        RTCIntersectContext context;
-        rtcInitIntersectContext(&context);
-        context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-        const std::size_t count = std::min<std::size_t>(2, packets.size() - first);
-        rtcIntersectNM(state_->world.get(), &context,
-                       reinterpret_cast<RTCRayHitN*>(&packets[first]), Packet::size,
-                       static_cast<unsigned>(count), sizeof(Packet));
+        embree::intersect(state_->world.get(),
+                          packets.subspan(first, std::min<std::size_t>(2, packets.size() - first)));
     }
 }
 
@@ -365,9 +356,8 @@ Imath::Color3f Accelerator::transmittance(const Ray& ray,
         return transmittance;
     }
     ShadowQuery query{{}, &surfaces, std::span(&ray, 1), std::span(&transmittance, 1)};
-    rtcInitIntersectContext(&query.context);
     RTCRay shadow = to_ray_hit(ray).ray;
-    rtcOccluded1(state_->world.get(), &query.context, &shadow);
+    occluded(state_->world.get(), query, shadow);
     return shadow.tfar < 0.0F ? Imath::Color3f(0.0F) : transmittance;
 }
 
@@ -382,9 +372,7 @@ void Accelerator::transmittance(std::span<const Ray> rays, const TransmittanceSo
     prepare(std::span(&packet, 1), state_->reach);
     const Packet::Floats lengths = packet.farthest;
     ShadowQuery query{{}, &surfaces, rays, results};
-    rtcInitIntersectContext(&query.context);
-    rtcOccluded16(packet.valid.data(), state_->world.get(), &query.context,
-                  reinterpret_cast<RTCRay16*>(&packet));
+    occluded(state_->world.get(), query, packet.valid.data(), reinterpret_cast<RTCRay16*>(&packet));
     for (std::size_t lane = 0; lane < rays.size(); ++lane) {
         if (lengths[lane] >= 0.0F && packet.farthest[lane] < 0.0F) {
             results[lane] = Imath::Color3f(0.0F);

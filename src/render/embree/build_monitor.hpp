@@ -7,9 +7,8 @@
 #include <stop_token>
 #include <utility>
 
-#include <embree3/rtcore.h>
-
 #include "base/shared_progress.hpp"
+#include "render/embree/rtcore.hpp"
 
 namespace balcony::render::embree {
 

@@ -73,6 +73,7 @@ struct alignas(64) Packet {
     Numbers triangle{};
     Numbers geometry{};
     Numbers placement{};
+    Numbers placement_part{};  ///< Of an array of placements, of which there are none.
 
     alignas(64) std::array<std::int32_t, size> valid{};  ///< -1 where there is a ray, otherwise 0.
 
