@@ -58,11 +58,22 @@ private:
     const LinearImage* image_ = nullptr;
 };
 
+/// A texture system with a cache of its own. Before version 3, its owner destroys it.
+std::shared_ptr<OIIO::TextureSystem> make_texture_system() {
+    constexpr bool shared = false;
+#if OIIO_VERSION_MAJOR < 3
+    return {OIIO::TextureSystem::create(shared), [](OIIO::TextureSystem* destroyed) {
+                constexpr bool with_its_cache = true;
+                OIIO::TextureSystem::destroy(destroyed, with_its_cache);
+            }};
+#else
+    return OIIO::TextureSystem::create(shared);
+#endif
+}
+
 class TexturedImage final : public FilteredImage {
 public:
     TexturedImage(const LinearImage& image, bool closes) : image_(image) {
-        constexpr bool shared = false;
-        system_.reset(OIIO::TextureSystem::create(shared));
         system_->attribute("automip", 1);
         system_->attribute("autotile", 64);
         // The tiles of the image and of its smaller levels.
@@ -98,14 +109,8 @@ public:
     }
 
 private:
-    struct Destroy {
-        void operator()(OIIO::TextureSystem* destroyed) const {
-            OIIO::TextureSystem::destroy(destroyed, true);
-        }
-    };
-
     LinearImage image_;
-    std::unique_ptr<OIIO::TextureSystem, Destroy> system_;
+    std::shared_ptr<OIIO::TextureSystem> system_ = make_texture_system();
     OIIO::TextureSystem::TextureHandle* handle_ = nullptr;
     OIIO::TextureOpt options_;
     V2d scale_{1.0};  ///< From the image to the square.

@@ -45,8 +45,10 @@ void check_displacements(const std::vector<V3f>& displacements) {
 
 std::size_t morph_target_count(const Json& root, const Json& node) {
     const auto mesh = index_in(node, "mesh");
-    const Json& primitives =
-        mesh ? member(element(root, "meshes", *mesh), "primitives") : member({}, "");
+    if (!mesh) {
+        return 0;
+    }
+    const Json& primitives = member(element(root, "meshes", *mesh), "primitives");
     return primitives.is_array() && !primitives.empty() ? array_size(primitives[0], "targets") : 0;
 }
 
