@@ -247,6 +247,27 @@ TEST(Denoise, FollowsTheEdgesOfFeatures) {
     }
 }
 
+// No light appears where no surface is, also beside pixels that show a surface in part.
+TEST(Denoise, LeavesTheBackgroundBlack) {
+    Film film = film_with_step(0.5);
+    for (std::size_t i = 0; i < film.sum.size(); ++i) {
+        if (const std::size_t x = i % 48; x >= 40) {
+            const double part = x == 40 ? 0.1 : 0.0;
+            film.sum[i] *= part;
+            film.means.direct[i] *= part;
+            for (V3f* value : {&film.means.direct_half[i], &film.means.albedo[i].mean,
+                               &film.means.normal[i].mean, &film.means.position[i].mean}) {
+                *value *= static_cast<float>(part);
+            }
+        }
+    }
+    ASSERT_TRUE(denoise(film, own));
+    EXPECT_GT(film.sum[film.index(40, 8)].r, 0.0);
+    for (std::size_t i = 0; i < film.sum.size(); ++i) {
+        ASSERT_TRUE(i % 48 <= 40 || film.sum[i].r == 0.0) << i;
+    }
+}
+
 // A bright lamp in a mirror, of which some pixels see only a part.
 TEST(Denoise, LeavesNoDarkEdgeAtALamp) {
     Film film = film_with_step(0.0);

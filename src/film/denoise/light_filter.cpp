@@ -192,6 +192,20 @@ std::array<Plane, 3> with_means_of(const Halves& samples, const Halves& light, c
     return made;
 }
 
+// Beside all surfaces there is nothing to reflect light: what is bright has no glow there.
+void clear_background(const Halves& samples, const Surfaces& surfaces, const Canvas& canvas,
+                      std::array<Plane, 3>& light) {
+    for_each_pixel(canvas, [&](std::size_t i) {
+        const auto is_zero = [i](const Plane& plane) { return plane[i] == 0.0F; };
+        if (std::all_of(samples.begin(), samples.end(), is_zero) &&
+            std::all_of(surfaces.normal.begin(), surfaces.normal.end(), is_zero)) {
+            for (Plane& plane : light) {
+                plane[i] = 0.0F;
+            }
+        }
+    });
+}
+
 }  // namespace
 
 FilteredLight filtered(Halves halves, const Plane& part, const SurfaceFilter& filter,
@@ -216,6 +230,7 @@ FilteredLight filtered(Halves halves, const Plane& part, const SurfaceFilter& fi
     multiply_by(
         filter.surfaces(), [](float albedo) { return albedo; }, best, canvas);
     made.light = with_means_of(halves, best, part, weight, canvas);
+    clear_background(halves, filter.surfaces(), canvas, made.light);
     return made;
 }
 
