@@ -32,7 +32,6 @@ struct Appearance {
     Color3f specular_color{1.0F};  ///< A factor of its reflectance at normal incidence.
     float transmission = 0.0F;     ///< The part of the light below it that passes through.
     bool thin_walled = true;       ///< Light passes without refraction.
-    bool passes_straight = false;  ///< A thin wall does, however rough its reflection is.
     Color3f absorption{0.0F};      ///< Inside, per scene unit.
     float clearcoat = 0.0F;        ///< The strength of the coat on top.
     float clearcoat_roughness = 0.0F;
@@ -40,8 +39,9 @@ struct Appearance {
     float sheen_roughness = 0.0F;
     bool unlit = false;  ///< The base colour is shown as it is, without light.
 
-    /// The same with mirrors and sharp highlights so rough. A smooth thin wall still lets light
-    /// pass straight on. Nothing if there are none.
+    /// The same with mirrors and sharp highlights so rough. Nothing if there are none. Panes stay
+    /// as they are: light passes them straight on, and mirrored lamps are too weak to be worth the
+    /// noise of blurred ones.
     [[nodiscard]] std::optional<Appearance> softened(float least_roughness) const;
 
     /// The emission that leaves the clearcoat, by the cosine between its normal and the viewer.

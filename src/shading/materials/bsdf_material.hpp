@@ -45,9 +45,7 @@ struct BsdfMaterial : PlainMaterial {
     /// Whether light passes through the surface.
     [[nodiscard]] bool transmits() const { return layers && layers->passage; }
     /// Whether it passes without being scattered.
-    [[nodiscard]] bool is_clear() const {
-        return transmits() && (is_mirror() || layers->passage->is_straight);
-    }
+    [[nodiscard]] bool is_clear() const { return transmits() && is_mirror(); }
     /// Whether all light is scattered widely, so that sampling the lights alone finds it.
     [[nodiscard]] bool is_rough() const;
     /// The reflectance for uniform light from all directions, without the mirror and without

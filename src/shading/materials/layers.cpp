@@ -79,7 +79,6 @@ Passage::Passage(const Appearance& appearance, float alpha, const Color3f& norma
       f0(normal_reflectances),
       f90(edge_reflectance),
       refracts(!appearance.thin_walled),
-      is_straight(appearance.passes_straight),
       outside(entering),
       ior(std::max(appearance.ior, min_glass_ior)),
       eta(entering ? ior : 1.0F / ior),
@@ -112,13 +111,14 @@ float Passage::reflection_probability(const Color3f& reflected) const {
 
 std::optional<Appearance> Appearance::softened(float least_roughness) const {
     const auto is_sharp = [least_roughness](float one) { return one < 0.6F * least_roughness; };
+    const bool is_pane = transmission > 0.0F && thin_walled && square(roughness) < min_alpha;
+    const bool layer_is_sharp = !is_pane && is_sharp(roughness);
     const bool coat_is_sharp = clearcoat > 0.0F && is_sharp(clearcoat_roughness);
-    if (!is_sharp(roughness) && !coat_is_sharp) {
+    if (!layer_is_sharp && !coat_is_sharp) {
         return std::nullopt;
     }
     Appearance made = *this;
-    if (is_sharp(roughness)) {
-        made.passes_straight = thin_walled && square(roughness) < min_alpha;
+    if (layer_is_sharp) {
         made.roughness = least_roughness;
     }
     if (coat_is_sharp) {

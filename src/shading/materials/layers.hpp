@@ -57,9 +57,8 @@ struct Passage {
     Color3f tint;
     Color3f f0;
     float f90;
-    bool refracts;     ///< Into a solid; otherwise through a thin wall.
-    bool is_straight;  ///< Even where the layer is rough.
-    bool outside;      ///< The viewer is.
+    bool refracts;  ///< Into a solid; otherwise through a thin wall.
+    bool outside;   ///< The viewer is.
     float ior;
     float eta;   ///< Of the light's side over that of the viewer's side.
     float lost;  ///< A factor of GlassEnergies::lost(): facets that reflect less lose less.
