@@ -37,6 +37,7 @@ class Draw(support.CommandTest):
         self.run_command("draw", "pinhole", "-o", "bare.svg", "--no-toward", "--no-frame",
                          "--no-axes", "--rays", "0", "-q")
         self.assertEqual(self.parts("bare.svg"), {"eye": 1})
+        self.assertIn('d="M480 360h0"', (self.folder / "bare.svg").read_text())
 
     def test_color_of_arrows(self):
         self.run_command("draw", "pinhole", "-o", "grey.svg", "--color", "0.2140", "-q")

@@ -58,20 +58,23 @@ private:
 class Page {
 public:
     /// Centres the box on the page, as large as the margin (in pixels) allows.
-    Page(const DrawingView& view, const Box2d& box, double margin) {
+    Page(const DrawingView& view, const Box2d& box, double margin) : center_of_box_(box.center()) {
         const V2d page(static_cast<double>(view.width), static_cast<double>(view.height));
         const V2d size = box.size();
-        const double minimum = 1e-9 * std::max({size.x, size.y, 1e-300});
+        const double minimum = std::max(1e-9 * std::max(size.x, size.y), 1e-300);
         scale_ = std::min((page.x - 2.0 * margin) / std::max(size.x, minimum),
                           (page.y - 2.0 * margin) / std::max(size.y, minimum));
-        shift_ = 0.5 * page - scale_ * box.center();
+        center_ = 0.5 * page;
     }
 
-    [[nodiscard]] V2d operator()(const V2d& point) const { return scale_ * point + shift_; }
+    [[nodiscard]] V2d operator()(const V2d& point) const {
+        return scale_ * (point - center_of_box_) + center_;
+    }
 
 private:
     double scale_ = 1.0;
-    V2d shift_;
+    V2d center_of_box_;
+    V2d center_;
 };
 
 }  // namespace balcony::analyse
