@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-// Light that reaches surfaces through panes: smooth thin walls.
+// Light that reaches surfaces through panes, which are smooth thin walls, and through other glass.
 
 #include <cmath>
 #include <cstddef>
@@ -204,6 +204,105 @@ TEST(Pane, APaneInASolidAbsorbsNothing) {
     };
     EXPECT_NEAR(seen(false), std::exp(-0.4F), 1e-4F);
     EXPECT_NEAR(seen(true), std::exp(-0.4F), 1e-4F);
+}
+
+scene::Material solid() {
+    scene::Material glass = pane();
+    glass.thin_walled = false;
+    glass.absorption = Color3f(0.2F, 0.4F, 0.6F);
+    return glass;
+}
+
+// A slab of glass over a floor.
+scene::Scene under_a_slab() {
+    scene::Scene scene = under_panes(0, pane());
+    add(scene, wall(0.6F, 20.0F), solid());
+    add(scene, parallelogram({-20.0F, 20.0F, 0.5F}, {40.0F, 0.0F, 0.0F}, {0.0F, -40.0F, 0.0F}),
+        solid());
+    return scene;
+}
+
+void add_ceiling_lamp(scene::Scene& scene) {
+    add(scene, parallelogram({-1.0F, 1.0F, 1.5F}, {2.0F, 0.0F, 0.0F}, {0.0F, -2.0F, 0.0F}),
+        glowing(1.0F));
+}
+
+// A lamp in a hollow globe of glass over a floor; 1 is its size.
+scene::Scene with_globe(float size) {
+    scene::Scene scene = under_panes(0, pane());
+    const scene::M44d placed = scene::M44d().setTranslation(V3d(0.1, 0.0, 0.9));
+    add(scene, coarse_sphere(0.25F * size, 16, 8), glowing(1.0F / size), placed);
+    add(scene, coarse_sphere(0.4F * size, 32, 16), solid(), placed);
+    add(scene, coarse_sphere(-0.35F * size, 32, 16), solid(), placed);
+    return scene;
+}
+
+TEST(GuidedPath, AllMethodsFindTheSameLightBehindGlass) {
+    scene::Material frosted = pane();
+    frosted.roughness = 0.3F;
+    scene::Scene slab = under_a_slab();
+    add_ceiling_lamp(slab);
+    // A screen behind frosted glass hides a part of the lamp.
+    scene::Scene screen = under_panes(2, frosted);
+    add_ceiling_lamp(screen);
+    add(screen, parallelogram({-1.0F, 1.0F, 1.0F}, {1.0F, 0.0F, 0.0F}, {0.0F, -2.0F, 0.0F}),
+        glowing(0.0F));
+    // A pane comes before the glass.
+    scene::Scene both = under_a_slab();
+    add(both, wall(0.4F, 20.0F), pane());
+    add_ceiling_lamp(both);
+    for (const bool exact : {true, false}) {
+        Request asked = request(64, 64, "path", 64);
+        asked.path.exact = exact;
+        expect_one_light(slab, asked, "slab");
+        expect_one_light(screen, asked, "screen");
+        expect_one_light(both, asked, "pane and slab");
+        expect_one_light(with_globe(1.0F), asked, "globe");
+    }
+}
+
+TEST(GuidedPath, ASkyBehindGlassIsTheSameByAllMethods) {
+    Request asked = request(32, 32, "path", 64);
+    asked.light.environment = Environment::constant(Color3f(1.0F));
+    expect_one_light(under_a_slab(), asked, "sky");
+}
+
+TEST(GuidedPath, ASmallLampInAGlobeMakesLittleNoise) {
+    Request asked = request(64, 64, "path", 64);
+    const scene::Scene scene = with_globe(0.1F);
+    const Mean guided = mean_of(scene, asked);
+    asked.path.lamp_sampling = LampSampling::surfaces;
+    EXPECT_GT(guided.value, 0.0);
+    EXPECT_LT(guided.error, 0.1 * mean_of(scene, asked).error);
+}
+
+TEST(GuidedPath, APointLampIsFoundBehindSoftenedGlass) {
+    scene::Scene scene = under_a_slab();
+    scene::Light lamp;
+    lamp.position = V3d(0.0, 0.0, 1.5);
+    lamp.intensity = Color3f(10.0F);
+    scene.lights.push_back(lamp);
+    Request asked = request(32, 32, "path", 16);
+    EXPECT_EQ(mean_of(scene, asked).value, 0.0);
+    asked.path.exact = false;
+    EXPECT_GT(mean_of(scene, asked).value, 0.01);
+}
+
+TEST(GuidedPath, TheOrderOfPathsDoesNotMatter) {
+    scene::Scene scene = with_globe(0.5F);
+    add(scene, parallelogram({-2.0F, 2.0F, 2.0F}, {4.0F, 0.0F, 0.0F}, {0.0F, -4.0F, 0.0F}),
+        white());
+    View view = view_down_z(0.0, 0.0, 1.8);
+    Request asked = request(96, 48, "path", 4);
+    asked.path.exact = false;
+    const Film whole = render(scene, pinhole(view), asked).film;
+    asked.layout.window = Region{21, 5, 50, 37};
+    const Film part = render(scene, pinhole(view), asked).film;
+    for (std::size_t y = 5; y < 42; ++y) {
+        for (std::size_t x = 21; x < 71; ++x) {
+            ASSERT_EQ(part.sum[part.index(x, y)], whole.sum[whole.index(x, y)]);
+        }
+    }
 }
 
 // Heads and tails of shared paths do not see each other through panes.

@@ -122,7 +122,8 @@ Geometry make_triangles(RTCDevice device, const scene::Scene& scene, const Motio
     }
     std::copy(mesh.triangles.begin(), mesh.triangles.end(), triangles);
     const scene::Material& material = scene.materials[mesh.material.value()];
-    if (material.alpha_mode != scene::AlphaMode::opaque || may_be_pane(material)) {
+    if (material.alpha_mode != scene::AlphaMode::opaque || may_be_pane(material) ||
+        is_glass(material)) {
         rtcSetGeometryOccludedFilterFunction(geometry.get(), pass_transparent);
     }
     rtcCommitGeometry(geometry.get());

@@ -41,6 +41,10 @@ bool is_clear(const BsdfMaterial& material) {
     return material.is_clear() || (material.roughness < sharp && is_black(material.diffuse));
 }
 
+bool is_without_extent(const scene::Light& light) {
+    return light.kind != scene::LightKind::directional || light.angle == 0.0F;
+}
+
 class PathTracer final : public Integrator {
 public:
     PathTracer(const TracedScene& traced, const Settings& settings)
@@ -51,6 +55,10 @@ public:
                              settings.light.visible),
           footprint_scale_(1.0F / std::sqrt(static_cast<float>(settings.samples))),
           textured_(traced.materials.has_textures()),
+          guides_(std::any_of(traced.scene->materials.begin(), traced.scene->materials.end(),
+                              bends_light)),
+          has_points_(std::any_of(traced.scene->lights.begin(), traced.scene->lights.end(),
+                                  is_without_extent)),
           light_(traced, settings.path) {}
 
     void trace(std::span<const CameraRay> rays, std::span<Seen> seen) override {
@@ -63,10 +71,10 @@ public:
                 block_.begin(paths_, first, count, tracer_);
                 return advance(count);
             });
-            light_.trace_shadow_rays(tracer_);
+            light_.trace_shadow_rays(tracer_, paths_);
             paths_.intersect(tracer_);
         }
-        light_.share_tails(tracer_);
+        light_.finish(tracer_);
     }
 
 private:
@@ -77,15 +85,19 @@ private:
     enum class Encounter : std::uint8_t { ends, passes, scatters };
     [[nodiscard]] Encounter meet(std::size_t lane);
     [[nodiscard]] static bool pass_last_pane(Path& path, const Interaction& at);
+    void weigh_against_guided(Path& path, const Interaction& at) const;
     void add_distant_light(const Path& path);
     void add_emission(const Path& path, const Interaction& at);
 
     void light(LaneBits lanes, LaneBits alone);
     [[nodiscard]] bool choose_lamp(std::size_t lane);
     void add_lamp(std::size_t lane, bool alone);
+    [[nodiscard]] bool may_guide(std::size_t lane);
+    [[nodiscard]] Path guided(std::size_t lane, const Color3f& throughput);
 
     [[nodiscard]] LaneBits scatter(LaneBits lanes);
     [[nodiscard]] bool scatter(std::size_t lane);
+    void turn(Path& path, std::size_t lane, const BsdfSample& sample);
 
     SceneTracer tracer_;
     const PathSettings* settings_;
@@ -94,6 +106,8 @@ private:
     float footprint_scale_;
     float softening_ = 0.0F;  // Of the pass.
     bool textured_;
+    bool guides_;      // Some paths start where shadow rays end.
+    bool has_points_;  // Lamps without an extent.
     PathBatch paths_;
     PathLight light_;
     PathBlock block_;
@@ -136,11 +150,10 @@ PathTracer::Encounter PathTracer::meet(std::size_t lane) {
     }
     const Interaction& at = block_.at(lane);
     const Appearance& appearance = at.appearance();
-    Seen& seen = light_.seen(path);
     const bool seen_directly = path.bounces.all == 0;
-    if (seen_directly && !seen.visible.any && appearance.opacity > 0.0F) {
-        seen.visible = tracer_.visible(at);
-        seen.shown = seen.visible;
+    if (seen_directly && !light_.seen(path).visible.any && appearance.opacity > 0.0F) {
+        light_.seen(path).visible = tracer_.visible(at);
+        light_.seen(path).shown = light_.seen(path).visible;
     }
     if (appearance.opacity < 1.0F && path.crossings < max_crossings &&
         block_.numbers(lane).next() >= appearance.opacity) {
@@ -148,10 +161,10 @@ PathTracer::Encounter PathTracer::meet(std::size_t lane) {
         return Encounter::passes;
     }
     if (seen_directly) {
-        seen.radiance.a = 1.0F;
-        seen.coverage.add(tracer_.visible(at), 1.0F);
+        light_.seen(path).radiance.a = 1.0F;
+        light_.seen(path).coverage.add(tracer_.visible(at), 1.0F);
     } else if (path.is_clear) {
-        seen.shown = tracer_.visible(at);
+        light_.seen(path).shown = tracer_.visible(at);
     }
     absorb(path, at.surface.position);
     add_emission(path, at);
@@ -161,6 +174,7 @@ PathTracer::Encounter PathTracer::meet(std::size_t lane) {
     if (appearance.unlit) {
         return Encounter::ends;
     }
+    weigh_against_guided(path, at);
     const V3f to_viewer = -path.ray.direction;
     path.is_softened |= block_.bsdfs().add(lane, at, to_viewer, path.least_roughness);
     path.is_clear = path.is_clear && is_clear(block_.bsdfs().material(lane));
@@ -185,10 +199,28 @@ bool PathTracer::pass_last_pane(Path& path, const Interaction& at) {
     return true;
 }
 
+// At glass, where a guided path may have come from the same surface in the same direction. No such
+// path sees the glass softened: it would miss a small lamp, which others would find by chance.
+// Lamps without an extent are found behind softened glass only.
+void PathTracer::weigh_against_guided(Path& path, const Interaction& at) const {
+    const V3f& direction = path.ray.direction;
+    if (!path.may_be_guided || !bends_light(*at.surface.material) ||
+        !is_black(at.straight(direction))) {
+        return;
+    }
+    const float pdf = tracer_.pdf_behind_glass(
+        path.from,
+        {.origin = at.surface.start(direction), .direction = direction, .time = path.ray.time});
+    path.throughput *= weights_.of_scattered(path.pdf, pdf);
+    if (pdf > 0.0F || !has_points_) {
+        path.least_roughness = 0.0F;
+    }
+}
+
 void PathTracer::add_distant_light(const Path& path) {
     const LightSet& lights = tracer_.lights();
     const bool seen_directly = path.bounces.all == 0;
-    if (!lights.has_distant() || (seen_directly && !shows_environment_)) {
+    if (!lights.has_distant() || path.is_guided || (seen_directly && !shows_environment_)) {
         return;
     }
     const Color3f arriving = lights.radiance_from(path.ray.direction);
@@ -206,7 +238,7 @@ void PathTracer::add_emission(const Path& path, const Interaction& at) {
     const Appearance& appearance = at.appearance();
     const Color3f emitted =
         appearance.unlit ? appearance.base_color : at.emission(path.ray.direction);
-    if (is_black(emitted)) {
+    if (is_black(emitted) || path.is_guided) {
         return;
     }
     const float distance = (at.surface.position - path.from.position).length();
@@ -256,7 +288,8 @@ void PathTracer::add_lamp(std::size_t lane, bool alone) {
     const float weight = sample.delta || alone ? 1.0F : weights_.of_lamp(sample.pdf, value.pdf);
     const Color3f unshadowed = light_.received(
         path, {sample.to_light, weight / sample.pdf * path.throughput * arriving, value.reflected});
-    if (is_black(unshadowed)) {
+    const bool guides = !alone && !sample.delta && weight > 0.0F && may_guide(lane);
+    if (is_black(unshadowed) && !guides) {
         return;
     }
     const Surface& surface = block_.at(lane).surface;
@@ -266,8 +299,52 @@ void PathTracer::add_lamp(std::size_t lane, bool alone) {
     } else if (!sample.delta) {
         distance *= before_emitter;
     }
-    light_.add(path, SceneTracer::shadow_ray(surface, sample.to_light, distance, path.ray.time),
-               unshadowed);
+    const embree::Ray shadow_ray =
+        SceneTracer::shadow_ray(surface, sample.to_light, distance, path.ray.time);
+    if (!guides) {
+        light_.add(path, shadow_ray, unshadowed);
+        return;
+    }
+    const Path onward = guided(
+        lane, light_.received(
+                  path, {sample.to_light, weight / sample.pdf * path.throughput, value.reflected}));
+    light_.add(path, shadow_ray, unshadowed, onward.is_last ? nullptr : &onward);
+}
+
+bool PathTracer::may_guide(std::size_t lane) {
+    return guides_ && block_.path(lane).part != Part::guided &&
+           !block_.bsdfs().material(lane).transmits();
+}
+
+// A path of this throughput towards the chosen lamp.
+Path PathTracer::guided(std::size_t lane, const Color3f& throughput) {
+    const BsdfMaterial& material = block_.bsdfs().material(lane);
+    BsdfSample sample;
+    sample.to_light = lamps_[lane]->to_light;
+    sample.pdf = lamps_[lane]->pdf;
+    if (is_black(material.diffuse)) {
+        sample.roughness = material.roughness;
+    } else {
+        sample.lobe = BsdfLobe::diffuse;
+    }
+    Path made = block_.path(lane);
+    turn(made, lane, sample);
+    // Roulette judges it like a path that has found the direction by chance: the throughput is
+    // small because small lamps are bright.
+    const Bsdf::Value value = block_.bsdfs().value(lane);
+    made.before_tail *= sample.pdf / value.pdf;
+    if (made.part == Part::tail) {
+        made.before_tail *= value.reflected;
+    }
+    count_bounce(made, sample.lobe, settings_->bounces);
+    made.throughput = throughput;
+    made.pdf = 0.0F;
+    made.least_roughness = 0.0F;
+    made.may_be_guided = false;
+    made.is_guided = true;
+    made.is_clear = false;
+    made.sampler.branch();
+    return made;
 }
 
 // Finds the next rays. Returns the lanes whose paths go on.
@@ -303,21 +380,29 @@ bool PathTracer::scatter(std::size_t lane) {
         pass_pane(path, at);
         return true;
     }
+    turn(path, lane, *sample);
+    path.is_guided = false;
+    path.may_be_guided = path.pdf > 0.0F && may_guide(lane);
+    return true;
+}
+
+// From the surface of its lane into the direction of a sample.
+void PathTracer::turn(Path& path, std::size_t lane, const BsdfSample& sample) {
+    const Interaction& at = block_.at(lane);
     if (textured_) {
-        path.ray.differentials = after_sample(path.ray, at.moved, *sample, footprint_scale_);
+        path.ray.differentials = after_sample(path.ray, at.moved, sample, footprint_scale_);
     }
     path.from = block_.point(lane);
     path.transmittance = 1.0F;
     path.absorbed = 0.0F;
-    path.pdf = sample->delta ? 0.0F : sample->pdf;
-    path.least_roughness = std::max(path.least_roughness, softening_ * sample->roughness);
+    path.pdf = sample.delta ? 0.0F : sample.pdf;
+    path.least_roughness = std::max(path.least_roughness, softening_ * sample.roughness);
     path.ray.origin =
-        sample->transmitted ? at.surface.start(sample->to_light) : at.surface.start_to_light();
-    path.ray.direction = sample->to_light;
-    if (sample->transmitted && !at.appearance().thin_walled) {
+        sample.transmitted ? at.surface.start(sample.to_light) : at.surface.start_to_light();
+    path.ray.direction = sample.to_light;
+    if (sample.transmitted && !at.appearance().thin_walled) {
         path.absorption = at.surface.entering ? at.appearance().absorption : Color3f(0.0F);
     }
-    return true;
 }
 
 }  // namespace

@@ -32,6 +32,12 @@ class PathBatch {
 public:
     void generate(std::span<const CameraRay> rays, Part part);
 
+    /// Adds a path whose ray is to be traced.
+    void add(const Path& path) {
+        active_.push_back(static_cast<std::uint32_t>(paths_.size()));
+        paths_.push_back(path);
+    }
+
     [[nodiscard]] bool empty() const { return active_.empty(); }
     /// The number of paths that go on.
     [[nodiscard]] std::size_t size() const { return active_.size(); }

@@ -13,23 +13,39 @@ namespace balcony::render {
 void PathLight::begin(std::span<const CameraRay> rays, std::span<Seen> seen) {
     std::fill(seen.begin(), seen.end(), Seen{});
     seen_ = seen;
+    guided_.clear();
     if (shares_) {
         tails_.begin(rays);
     }
 }
 
 void PathLight::add(const Path& path, const Color3f& light) {
-    if (path.part == Part::onward) {
-        add_onward(path.index, light, path.is_softened);
-    } else {
-        add_scattered(seen_[path.index], light, path.bounces.all, path.is_softened);
-    }
+    add(path.part, path.index, light, path.bounces.all, path.is_softened);
 }
 
-void PathLight::add_onward(std::uint32_t index, const Color3f& light, bool softened) {
-    Tail& tail = tails_.tail(index);
-    tail.onward.radiance += light;
-    tail.is_softened |= softened;
+void PathLight::add(Part part, std::uint32_t index, const Color3f& light, std::size_t bounces,
+                    bool softened) {
+    switch (part) {
+        case Part::tail: tails_.tail(index).lamp.radiance += light; break;
+        case Part::onward: tails_.tail(index).onward.radiance += light; break;
+        case Part::guided:
+            guided_[index].light += light;
+            guided_[index].is_softened |= softened;
+            return;
+        default: add_scattered(seen_[index], light, bounces, softened); return;
+    }
+    tails_.tail(index).is_softened |= softened;
+}
+
+void PathLight::add(const Path& path, const embree::Ray& shadow_ray, const Color3f& light,
+                    const Path* guided) {
+    ShadowedLight one{shadow_ray, light,           path.index, path.packet, path.bounces.all == 0,
+                      path.part,  path.is_softened};
+    if (guided != nullptr) {
+        one.guided = static_cast<std::uint32_t>(waiting_.size());
+        waiting_.push_back(*guided);
+    }
+    shadow_rays_.add(one);
 }
 
 void PathLight::add_scattered(Seen& seen, const Color3f& light, std::size_t bounces,
@@ -52,16 +68,23 @@ Color3f PathLight::received(const Path& path, const ArrivingLight& lamp) {
     return lamp.radiance;
 }
 
-void PathLight::trace_shadow_rays(const SceneTracer& tracer) {
+void PathLight::trace_shadow_rays(const SceneTracer& tracer, PathBatch& paths) {
     shadow_rays_.trace(tracer, [&](const ShadowedLight& one, const Color3f& transmittance) {
-        const Color3f light = transmittance * one.light;
-        switch (one.part) {
-            case Part::tail: tails_.tail(one.index).lamp.radiance += light; break;
-            case Part::onward: add_onward(one.index, light, one.softened); break;
-            default: add_scattered(seen_[one.index], light, one.direct ? 1 : 2, one.softened);
+        if (!is_black(transmittance)) {
+            add(one.part, one.index, transmittance * one.light, one.direct ? 1 : 2, one.softened);
+        } else if (one.guided != ShadowedLight::none && tracer.passes_glass(one.ray)) {
+            start(waiting_[one.guided], paths);
         }
     });
     shadow_rays_.clear();
+    waiting_.clear();
+}
+
+void PathLight::start(Path& guided, PathBatch& paths) {
+    guided_.push_back({guided.index, guided.part});
+    guided.index = static_cast<std::uint32_t>(guided_.size() - 1);
+    guided.part = Part::guided;
+    paths.add(guided);
 }
 
 // A head receives the light of tails whether its own ray finds one or not. No tail is shared where
@@ -107,7 +130,8 @@ void PathLight::begin_tail(PathBlock& block, std::size_t lane) {
 // What a path finds by way of a mirror, at its tail or behind it, is its own: a lamp there is rare
 // and bright.
 void PathLight::scatter(Path& path, const BsdfSample& sample, bool passes_pane) {
-    if (sample.delta && path.part != Part::head && !(passes_pane && path.part == Part::onward)) {
+    if (sample.delta && path.part != Part::head && path.part != Part::guided &&
+        !(passes_pane && path.part == Part::onward)) {
         path.throughput *= std::exchange(path.before_tail, Color3f(1.0F));
         path.part = Part::whole;
     }
@@ -126,7 +150,10 @@ void PathLight::go_on_from_tail(Path& path, const BsdfSample& sample) {
     path.part = Part::onward;
 }
 
-void PathLight::share_tails(const SceneTracer& tracer) {
+void PathLight::finish(const SceneTracer& tracer) {
+    for (const Guided& one : guided_) {
+        add(one.part, one.index, one.light, 2, one.is_softened);
+    }
     if (shares_) {
         tails_.add_light(tracer, settings_->clamp_indirect, seen_);
     }

@@ -4,11 +4,18 @@
 
 // Where the light that paths find goes: to the result of the path itself, or to a tail that the
 // paths of its group share (shared_tails.hpp).
+//
+// Guided paths find lamps behind glass: where a shadow ray ends at glass, and nothing but glass is
+// on its way, a path goes there, and through the glass as any other. Other paths find the same
+// light by chance. A direction is sampled with the density of lamps by the ones and with that of
+// the surface by the others, and multiple importance sampling (Veach 1997) weighs both.
 
 #include <cstddef>
 #include <span>
+#include <vector>
 
 #include "render/integrators/integrator.hpp"
+#include "render/integrators/path_batch.hpp"
 #include "render/integrators/path_block.hpp"
 #include "render/integrators/path_state.hpp"
 #include "render/integrators/shadow_rays.hpp"
@@ -29,15 +36,15 @@ public:
 
     /// Light that the path's ray brings.
     void add(const Path& path, const Color3f& light);
-    /// Light that arrives along a shadow ray, if nothing is in its way.
-    void add(const Path& path, const embree::Ray& shadow_ray, const Color3f& light) {
-        shadow_rays_.add({shadow_ray, light, path.index, path.packet, path.bounces.all == 0,
-                          path.part, path.is_softened});
-    }
+    /// Light that arrives along a shadow ray, if nothing is in its way. If glass is, a guided path
+    /// may find it: one of its own, which starts at the path's surface.
+    void add(const Path& path, const embree::Ray& shadow_ray, const Color3f& light,
+             const Path* guided = nullptr);
     /// What a path receives of the light that arrives from a lamp: what is reflected, but all at a
     /// tail, which remembers what it reflects towards its own head.
     [[nodiscard]] Color3f received(const Path& path, const ArrivingLight& lamp);
-    void trace_shadow_rays(const SceneTracer& tracer);
+    /// Guided paths begin among the others.
+    void trace_shadow_rays(const SceneTracer& tracer, PathBatch& paths);
 
     /// At a surface that scatters light, before its next ray is chosen.
     void end_head(PathBlock& block, std::size_t lane);
@@ -47,11 +54,21 @@ public:
     void scatter(Path& path, const BsdfSample& sample, bool passes_pane);
 
     /// After all paths have ended.
-    void share_tails(const SceneTracer& tracer);
+    void finish(const SceneTracer& tracer);
 
 private:
+    // What a guided path finds is added at the end, so that the order of paths does not matter.
+    struct Guided {
+        std::uint32_t index;  // Of the result or tail, as of the path from which it branches off.
+        Part part;            // Likewise.
+        Color3f light{0.0F};
+        bool is_softened = false;
+    };
+
+    void add(Part part, std::uint32_t index, const Color3f& light, std::size_t bounces,
+             bool softened);
     void add_scattered(Seen& seen, const Color3f& light, std::size_t bounces, bool softened) const;
-    void add_onward(std::uint32_t index, const Color3f& light, bool softened);
+    void start(Path& guided, PathBatch& paths);
     void go_on_from_tail(Path& path, const BsdfSample& sample);
 
     const PathSettings* settings_;
@@ -59,6 +76,8 @@ private:
     std::span<Seen> seen_;
     ShadowRays shadow_rays_;
     SharedTails tails_;
+    std::vector<Path> waiting_;  // That shadow rays may start.
+    std::vector<Guided> guided_;
 };
 
 }  // namespace balcony::render

@@ -19,6 +19,7 @@ void pass_pane(Path& path, const Interaction& at) {
 void pass_through(Path& path, const Interaction& at) {
     pass_pane(path, at);
     path.transmittance *= 1.0F - at.appearance().opacity;
+    path.may_be_guided = false;
 }
 
 void absorb(Path& path, const V3f& position) {

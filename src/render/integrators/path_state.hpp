@@ -32,6 +32,7 @@ enum class Part : std::uint8_t {
     tail,     ///< At that surface.
     onward,   ///< Behind it.
     whole,    ///< Nowhere in particular: it shares no tail.
+    guided,   ///< It is a guided path, or was one (guided paths: path_light.hpp).
 };
 
 /// A path in progress, from the camera.
@@ -57,7 +58,11 @@ struct Path {
     Bounces bounces{};
     std::uint8_t crossings = 0;
     float transmittance = 1.0F;  ///< Of the surfaces crossed since the light was scattered last.
-    bool is_last = false;        ///< The ray only collects the light that is emitted where it ends.
+    /// The ray was chosen towards a lamp behind glass, and has not been scattered since.
+    bool is_guided = false;
+    /// The ray was chosen otherwise, at a surface from where guided ones start, too.
+    bool may_be_guided = false;
+    bool is_last = false;  ///< The ray only collects the light that is emitted where it ends.
     Part part = Part::whole;
     /// From the tail on, the throughput up to there, and `throughput` counts from there.
     Color3f before_tail{1.0F};

@@ -21,11 +21,14 @@ namespace balcony::render {
 struct ShadowedLight {
     embree::Ray ray;
     Color3f light;
-    std::uint32_t index = 0;   ///< Of the path's result.
-    std::uint32_t packet = 0;  ///< Of its camera ray.
-    bool direct = false;       ///< The light is scattered once.
-    Part part = Part::whole;   ///< Of the path.
-    bool softened = false;     ///< Likewise.
+    std::uint32_t index = 0;      ///< Of the path's result.
+    std::uint32_t packet = 0;     ///< Of its camera ray.
+    bool direct = false;          ///< The light is scattered once.
+    Part part = Part::whole;      ///< Of the path.
+    bool softened = false;        ///< Likewise.
+    std::uint32_t guided = none;  ///< The path that starts if glass is in the way.
+
+    static constexpr std::uint32_t none = 0xffffffffU;
 };
 
 class ShadowRays {
@@ -33,13 +36,14 @@ public:
     void clear() { all_.clear(); }
     void add(const ShadowedLight& one) { all_.push_back(one); }
 
-    /// Calls receive(light, transmittance) for all light of which something arrives.
+    /// Calls receive(light, transmittance) for all light. The transmittance is 0 if something is in
+    /// the way.
     template <class Receive>
     void trace(const SceneTracer& tracer, const Receive& receive) const {
         for (std::size_t begin = 0; begin < all_.size();) {
             const std::size_t count = packet_at(begin);
             if (count == 0) {
-                visit(all_[begin], tracer.transmittance(all_[begin].ray), receive);
+                receive(all_[begin], tracer.transmittance(all_[begin].ray));
                 ++begin;
                 continue;
             }
@@ -50,21 +54,13 @@ public:
             }
             tracer.transmittance(std::span(rays).first(count), transmittances);
             for (std::size_t lane = 0; lane < count; ++lane, ++begin) {
-                visit(all_[begin], transmittances[lane], receive);
+                receive(all_[begin], transmittances[lane]);
             }
         }
     }
 
 private:
     static constexpr std::size_t packet_size = embree::Packet::size;
-
-    template <class Receive>
-    static void visit(const ShadowedLight& one, const Color3f& transmittance,
-                      const Receive& receive) {
-        if (!is_black(transmittance)) {
-            receive(one, transmittance);
-        }
-    }
 
     // The number of rays of a packet that begins here; 0 where a ray is by itself.
     [[nodiscard]] std::size_t packet_at(std::size_t begin) const {

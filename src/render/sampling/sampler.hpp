@@ -96,6 +96,9 @@ public:
         return {first_number(pair, pixel_), second_number(pair, pixel_)};
     }
 
+    /// Goes on with other numbers than those of a path that began with this sampler.
+    void branch() { next_ += 1024; }
+
 private:
     friend class SampleBlock;
     friend class SampleReader;

@@ -85,6 +85,28 @@ Color3f SceneTracer::Openings::transmittance(const embree::Hit& hit, const embre
     return Color3f(1.0F - traced->materials.opacity(traced->surfaces.mesh_point(hit)));
 }
 
+Color3f SceneTracer::Glass::transmittance(const embree::Hit& hit, const embree::Ray&) const {
+    const MeshPoint point = traced->surfaces.mesh_point(hit);
+    return Color3f(is_glass(traced->scene->materials[point.mesh->material.value()]) ? 1.0F : 0.0F);
+}
+
+float SceneTracer::pdf_behind_glass(const LitPoint& from, const embree::Ray& ray) const {
+    embree::Ray beyond = ray;
+    for (std::size_t crossings = 0; crossings < max_crossings; ++crossings) {
+        const embree::Hit hit = traced_->accelerator.intersect(beyond);
+        if (!hit.any()) {
+            return lights().pdf_of_distant(from, ray.direction);
+        }
+        const Surface surface = traced_->surfaces.find(hit, ray.direction, ray.time);
+        if (!is_glass(*surface.material)) {
+            return lights().pdf_of_emitter(from, ray.direction,
+                                           (surface.position - from.position).length(), hit);
+        }
+        beyond.origin = surface.start(ray.direction);
+    }
+    return 0.0F;
+}
+
 Color3f SceneTracer::Panes::transmittance(const embree::Hit& hit, const embree::Ray& ray) const {
     const MeshPoint point = traced->surfaces.mesh_point(hit);
     if (!may_be_pane(traced->scene->materials[point.mesh->material.value()])) {

@@ -114,6 +114,14 @@ public:
         traced_->accelerator.transmittance(packet, Openings(*traced_), results);
     }
 
+    /// Whether a shadow ray passes nothing but glass.
+    [[nodiscard]] bool passes_glass(const embree::Ray& ray) const {
+        return !is_black(traced_->accelerator.transmittance(ray, Glass(*traced_)));
+    }
+    /// The density with which LightSet::sample() finds, from a point, the light that is straight
+    /// behind the glass on a ray.
+    [[nodiscard]] float pdf_behind_glass(const LitPoint& from, const embree::Ray& ray) const;
+
 private:
     // What passes a surface because of its opacity,
     struct Openings : embree::TransmittanceSource {
@@ -124,6 +132,13 @@ private:
     };
     // and also as through a pane.
     struct Panes final : Openings {
+        using Openings::Openings;
+        [[nodiscard]] Color3f transmittance(const embree::Hit& hit,
+                                            const embree::Ray& ray) const override;
+    };
+
+    // All that is glass.
+    struct Glass final : Openings {
         using Openings::Openings;
         [[nodiscard]] Color3f transmittance(const embree::Hit& hit,
                                             const embree::Ray& ray) const override;

@@ -140,6 +140,15 @@ bool may_be_pane(const Material& material) {
             material.roughness * material.roughness < min_alpha);
 }
 
+bool is_glass(const Material& material) {
+    return material.transmission > 0.0F && !material.unlit &&
+           material.alpha_mode == scene::AlphaMode::opaque && is_black(material.emission);
+}
+
+bool bends_light(const Material& material) {
+    return is_glass(material) && (!may_be_pane(material) || material.roughness_texture.valid());
+}
+
 MaterialSet::MaterialSet(const scene::Scene& scene, const TextureLibrary& textures)
     : scene_(&scene), textures_(&textures) {
     prepared_.reserve(scene.materials.size());

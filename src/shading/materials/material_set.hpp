@@ -23,6 +23,12 @@ namespace balcony::render {
 /// pane: a thin wall that is as smooth as a mirror there.
 [[nodiscard]] bool may_be_pane(const scene::Material& material);
 
+/// Whether light passes through surfaces of this material in any way, and nothing else comes from
+/// them.
+[[nodiscard]] bool is_glass(const scene::Material& material);
+/// Whether such a surface is more than a pane: light is refracted or spread on its way through it.
+[[nodiscard]] bool bends_light(const scene::Material& material);
+
 /// The materials of a scene, prepared for look-ups.
 class MaterialSet {
 public:
