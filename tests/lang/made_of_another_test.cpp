@@ -38,6 +38,11 @@ TEST(MadeOfAnother, HasItsRaysWithTheseValues) {
     EXPECT_EQ(to_text(wide.diagnostics), "");
     EXPECT_EQ(wide->name(), "wide");
     expect_equal_rays(test::make("camera same = fisheye"), fisheye({}));
+    // What the other one does not use is no fault of this one.
+    const auto spare = test::make(
+        "camera b(spare = 1) { map u = -1 .. 1, v = square eye sphere(1) }\ncamera a = b");
+    ASSERT_TRUE(spare) << to_text(spare.diagnostics);
+    EXPECT_EQ(to_text(spare.diagnostics), "");
 }
 
 TEST(MadeOfAnother, ItsParametersStayParameters) {
@@ -56,8 +61,9 @@ TEST(MadeOfAnother, MayBeMadeOfOneThatIs) {
         "camera low = wide(pitch = -10deg, fov = 150deg)\n"
         "camera wide = fisheye(fov = 200deg, yaw = turn)\n"
         "let turn = 30deg\n";
-    expect_equal_rays(test::make(text, {}, "low"),
-                      fisheye({{"fov", "150deg"}, {"yaw", "30deg"}, {"pitch", "-10deg"}}));
+    const auto low = test::make(text, {}, "low");
+    expect_equal_rays(low, fisheye({{"fov", "150deg"}, {"yaw", "30deg"}, {"pitch", "-10deg"}}));
+    EXPECT_EQ(low->name(), "low");
 }
 
 TEST(MadeOfAnother, OfItsOwnNameIsMadeOfTheOneElsewhere) {
@@ -125,8 +131,9 @@ TEST(MadeOfAnother, KeepsItsValuesInAScene) {
 
 TEST(MadeOfAnother, IsDescribedWithItsValues) {
     const test::TemporaryFolder folder;
-    const auto file =
-        folder.write("a.cam", "// A wide one.\ncamera wide = fisheye(fov = 2*100deg)\n");
+    const auto file = folder.write("a.cam",
+                                   "// A wide one.\ncamera wide = fisheye(fov = 2*100deg)\n"
+                                   "camera less = wide(fov = 99deg)\n");
     const auto said = Workspace().describe(file);
     ASSERT_TRUE(said) << to_text(said.diagnostics);
     const Description& wide = said->front();
@@ -136,6 +143,8 @@ TEST(MadeOfAnother, IsDescribedWithItsValues) {
     EXPECT_EQ(wide.parameters[0].default_text, "2*100deg");
     EXPECT_EQ(wide.parameters[0].limits_text, "above 0 to 360deg");
     EXPECT_EQ(wide.parameters[1].default_text, "0");
+    ASSERT_EQ(said->size(), 2U);
+    EXPECT_EQ((*said)[1].parameters[0].default_text, "99deg");
     EXPECT_FALSE(Workspace().describe(folder.write("b.cam", "camera wide = fishye")));
 }
 

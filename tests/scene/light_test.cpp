@@ -101,6 +101,13 @@ TEST_F(Lights, EmissionOfBlenderIsInTheirUnits) {
     EXPECT_EQ(emission("Khronos glTF Blender I/O v3.4.50", 2.0F), 2.0F);
     EXPECT_EQ(emission("Balcony", 2.0F), 2.0F);
     EXPECT_EQ(emission("Balcony", 1e30F), 1e30F);
+    gltf.json["materials"][0]["emissiveFactor"] = {1, 1, 1};
+    gltf.json["materials"][0]["extensions"]["KHR_materials_emissive_strength"] = {
+        {"emissiveStrength", 1e6}};
+    gltf.json["extensionsUsed"].push_back("KHR_materials_emissive_strength");
+    const auto bright = load(write("lit.glb", gltf.glb()), {}, {}, {.emission_scale = 1e30F});
+    ASSERT_TRUE(bright) << said(bright);
+    EXPECT_EQ(bright->materials[0].emission, Color3f(static_cast<float>(max_quantity)));
 }
 
 TEST_F(Lights, EmissionOfBlenderWithoutLightsIsAsWritten) {
