@@ -1,15 +1,18 @@
 #!/usr/bin/env python3
 # Balcony: rendering through extended cameras.
 # SPDX-License-Identifier: Apache-2.0
-"""Compares Balcony's path tracer with Blender's Cycles on the same scene, camera and processor.
+"""Compares Balcony's path tracer with Blender's Cycles on the same scenes, camera and processor.
 
-Usage: compare.py BALCONY [--speed-only] [--size WxH] [--triangles COUNT] [--samples COUNT] [--matt]
+Usage: compare.py BALCONY [SCENE...] [--speed-only] [--size WxH] [--triangles COUNT]
+                  [--samples COUNT] [--matt] [--keep FOLDER]
 
 Needs Blender (package blender), numpy and OpenImageIO for Python (python3-numpy,
-python3-openimageio). Prints samples a second of both and their ratio, with and without the reuse of
-paths, which Cycles does not do. Unless --speed-only is given, also the root-mean-square error of both
-at equal time, Balcony's with its defaults, against converged pictures of their own with SAMPLES
-samples, and how far these two differ.
+python3-openimageio). The scenes are those of scenes.py, all unless some are named. A table has the
+samples a second of both programs; then, in the time of 64 samples of Cycles without clamping, the
+root-mean-square error of means over boxes of 1, 4 and 16 pixels, and the number of specks: pixels
+brighter than 20 times the median that are not bright in the converged picture. Errors are relative
+to the mean, and measured against a converged picture of the same program with SAMPLES samples:
+Cycles without clamping, Balcony with --exact. The time of Balcony's denoiser does not count.
 """
 import argparse
 import json
@@ -20,8 +23,13 @@ import sys
 import tempfile
 from pathlib import Path
 
+from scenes import SCENES, write
+
 HERE = Path(__file__).resolve().parent
-POSITION = (0.1, 0.2, 1.5)  # Of the camera, with z up.
+BOXES = (1, 4, 16)
+SAMPLES = 64  # Of Cycles, whose time is the time of all.
+BALCONY = {"without path reuse": ("--exact", "--no-path-reuse"), "--exact": ("--exact",),
+           "as it comes": (), "--denoise": ("--denoise", "--denoiser", "features")}
 
 
 def read(file):
@@ -30,125 +38,155 @@ def read(file):
     return image.get_pixels(oiio.FLOAT)[:, :, :3].astype("float64")
 
 
-class Room:
-    def __init__(self, options, folder):
+class Bench:
+    """A scene that both programs render, in a folder."""
+
+    def __init__(self, name, options, folder):
+        self.name = name
         self.options = options
-        self.folder = Path(folder)
-        self.scene = self.folder / "room.glb"
-        subprocess.run([sys.executable, str(HERE / "room.py"), str(self.scene),
-                        "--triangles", str(options.triangles)]
-                       + ["--matt"] * options.matt, check=True)
+        self.folder = folder
+        self.scene = SCENES[name]
+        self.file = folder / f"{name}.glb"
+        write(name, self.file, options)
         self.width, self.height = map(int, options.size.split("x"))
 
-    def balcony(self, samples, output, seed=0, more=()):
+    def balcony(self, samples, output, *more, seed=0):
         """The seconds of tracing."""
-        x, y, z = POSITION
+        x, y, z = self.scene.position
+        sky = ("--environment", str(self.scene.sky)) if self.scene.sky else ()
         facts = subprocess.run(
-            [self.options.balcony, "render", str(self.scene), "--camera", "panorama",
+            [self.options.balcony, "render", self.file, "--camera", "panorama",
              "--set", f"px={x}", "--set", f"py={y}", "--set", f"pz={z}", "--integrator", "path",
              "--bounces", str(self.options.bounces), "--samples", str(samples), "--seed", str(seed),
-             "--filter", "blackman-harris", "--size", self.options.size, "--json",
-             "-o", str(output), *more], check=True, capture_output=True, text=True)
+             "--filter", "blackman-harris", "--size", self.options.size, "--json", "--layers",
+             "none", "-o", output, *sky, *more], check=True, capture_output=True, text=True)
         return json.loads(facts.stdout)["seconds"]
 
-    def cycles(self, samples, output=None):
+    def cycles(self, samples, output=None, defaults=False, seed=0):
         """The seconds of each render, by the list of sample counts."""
         settings = self.folder / "cycles.json"
         settings.write_text(json.dumps({
-            "scene": str(self.scene), "matt": self.options.matt, "output": output and str(output), "width": self.width,
-            "height": self.height, "samples": samples, "bounces": self.options.bounces,
-            "position": POSITION, "threads": os.cpu_count()}), encoding="utf-8")
+            "scene": str(self.file), "sky": self.scene.sky, "matt": self.options.matt,
+            "defaults": defaults, "output": output and str(output), "width": self.width,
+            "height": self.height, "samples": samples, "seed": seed, "bounces": self.options.bounces,
+            "position": self.scene.position, "threads": os.cpu_count()}), encoding="utf-8")
         shown = subprocess.run(["blender", "--background", "--factory-startup", "--python",
-                                str(HERE / "cycles.py"), "--", str(settings)], check=True,
+                                HERE / "cycles.py", "--", settings], check=True,
                                capture_output=True, text=True).stdout
         times = [line for line in shown.splitlines() if line.startswith("times:")]
         if not times:
             sys.exit(f"Blender did not render:\n{shown[-2000:]}")
         return json.loads(times[0][6:])
 
+    def cycles_speed(self, defaults):
+        """Samples a second, without what a render takes before its first sample."""
+        few, many = self.options.few, self.options.many
+        _, first, second = self.cycles([few, few, many], defaults=defaults)
+        return (many - few) * self.width * self.height / (second - first)
+
+    def balcony_speed(self, more):
+        many = self.options.many
+        seconds = min(self.balcony(many, self.folder / "speed.exr", *more) for _ in range(2))
+        return many * self.width * self.height / seconds
+
+
+def boxes(picture, side):
+    height, width = (length // side * side for length in picture.shape[:2])
+    return picture[:height, :width].reshape(height // side, side, width // side, side, 3).mean(
+        axis=(1, 3))
+
 
 def rms(picture, truth):
     """Relative to the mean, of the darker 99.9 % so that a few fireflies do not decide."""
     import numpy as np
-    squares = ((picture - truth) ** 2).mean(axis=2).ravel()
-    kept = np.sort(squares)[:int(len(squares) * 0.999)]
-    return float(np.sqrt(kept.mean()) / truth.mean()), float(np.sqrt(squares.mean())
-                                                             / truth.mean())
+    squares = np.sort(((picture - truth) ** 2).mean(axis=2).ravel())
+    return float(np.sqrt(squares[:max(1, int(len(squares) * 0.999))].mean()) / truth.mean())
 
 
-def speeds(room):
-    """Samples a second of both, without what a render takes before its first sample."""
-    few, many = room.options.few, room.options.many
-    pixels = room.width * room.height
-    ours = min(room.balcony(many, room.folder / "ours.exr", more=["--no-path-reuse"])
-               for _ in range(2))
-    reused = min(room.balcony(many, room.folder / "ours.exr") for _ in range(2))
-    _, first, second = room.cycles([few, few, many])
-    balcony_speed = many * pixels / ours
-    cycles_speed = (many - few) * pixels / (second - first)
-    print(f"{room.options.size}, {room.options.bounces} bounces, "
-          f"{room.options.triangles} triangles, {os.cpu_count()} processors")
-    reuse_speed = many * pixels / reused
-    print(f"samples a second: Balcony without path reuse {balcony_speed:,.0f}, "
-          f"Cycles {cycles_speed:,.0f}, ratio {balcony_speed / cycles_speed:.2f}; "
-          f"with path reuse {reuse_speed:,.0f}, ratio {reuse_speed / cycles_speed:.2f}",
-          flush=True)
-    return reuse_speed / cycles_speed
+def specks(picture, truth):
+    import numpy as np
+    bright = 20 * np.median(truth.mean(axis=2))
+    return int(((picture.mean(axis=2) > bright) & (truth.mean(axis=2) <= bright)).sum())
 
 
-def errors(room, ratio):
-    """Root-mean-square errors at equal time, each against its own converged picture."""
-    truth = {"Balcony": room.folder / "ours_truth.exr", "Cycles": room.folder / "cycles_truth.exr"}
-    room.balcony(room.options.samples, truth["Balcony"], seed=1)
-    room.cycles([room.options.samples], truth["Cycles"])
-    samples = 64
-    room.cycles([samples], room.folder / "cycles.exr")
-    room.balcony(max(1, round(samples * ratio)), room.folder / "ours.exr")
-    ours = rms(read(room.folder / "ours.exr"), read(truth["Balcony"]))
-    theirs = rms(read(room.folder / "cycles.exr"), read(truth["Cycles"]))
-    print(f"error in the time of {samples} samples of Cycles, relative to the mean: "
-          f"Balcony {ours[0]:.4f} (all pixels {ours[1]:.4f}), "
-          f"Cycles {theirs[0]:.4f} ({theirs[1]:.4f}), ratio {ours[0] / theirs[0]:.2f}")
-    return truth
+def quality(picture, truth):
+    return (" ".join(f"{rms(boxes(picture, side), boxes(truth, side)):7.4f}" for side in BOXES)
+            + f" {specks(picture, truth):7}")
 
 
-def agreement(room, truth):
-    ours, theirs = read(truth["Balcony"]), read(truth["Cycles"])
+def agreement(ours, theirs):
+    """Of the means by colour, and of 128 parts of the picture."""
     difference = ours.mean(axis=(0, 1)) / theirs.mean(axis=(0, 1)) - 1
-    blocks = [(ours[y:y + room.height // 8, x:x + room.width // 16].mean()
-               / theirs[y:y + room.height // 8, x:x + room.width // 16].mean() - 1)
-              for y in range(0, room.height, room.height // 8)
-              for x in range(0, room.width, room.width // 16)]
-    print("mean of Balcony against Cycles by colour: "
-          + ", ".join(f"{100 * d:+.2f} %" for d in difference)
-          + f"; of {len(blocks)} parts of the picture the median differs by "
-          + f"{100 * sorted(map(abs, blocks))[len(blocks) // 2]:.2f} %, "
-          + f"the largest by {100 * max(map(abs, blocks)):.1f} %")
+    side = ours.shape[0] // 8
+    parts = sorted(abs(boxes(ours, side).mean(axis=2) / boxes(theirs, side).mean(axis=2) - 1).ravel())
+    return ("mean of Balcony against Cycles by colour: "
+            + ", ".join(f"{100 * d:+.2f} %" for d in difference)
+            + f"; of {len(parts)} parts of the picture the median differs by "
+            + f"{100 * parts[len(parts) // 2]:.2f} %, the largest by {100 * parts[-1]:.1f} %")
+
+
+def compare(bench):
+    options, folder, name = bench.options, bench.folder, bench.name
+    truth = {}
+    if not options.speed_only:
+        files = [folder / f"{name}-{program}-{options.samples}.exr"
+                 for program in ("balcony", "cycles")]
+        if not files[0].exists():
+            bench.balcony(options.samples, files[0], "--exact", seed=1)
+        if not files[1].exists():
+            bench.cycles([options.samples], files[1], seed=1)
+        truth = [read(file) for file in files]
+
+    def row(renderer, speed, render, truth_index):
+        samples = max(1, round(SAMPLES * speed / reference))
+        line = f"{name:8} {renderer:27} {speed:11,.0f} {speed / reference:6.2f}"
+        if truth:
+            file = folder / f"{name}-{renderer.replace(' ', '-')}.exr"
+            render(samples, file)
+            line += f" {samples:8} {quality(read(file), truth[truth_index])}"
+        print(line, flush=True)
+
+    reference = bench.cycles_speed(False)
+    for renderer, defaults in (("Cycles without clamping", False), ("Cycles as it comes", True)):
+        row(renderer, bench.cycles_speed(True) if defaults else reference,
+            lambda samples, file: bench.cycles([samples], file, defaults), 1)
+    for setting, more in BALCONY.items():
+        row(f"Balcony {setting}", bench.balcony_speed(more),
+            lambda samples, file: bench.balcony(samples, file, *more), 0)
+    if truth:
+        print(f"{name:8} {agreement(*truth)}", flush=True)
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("balcony")
+    parser.add_argument("scenes", nargs="*", metavar="SCENE", help=", ".join(SCENES))
     parser.add_argument("--size", default="480x240")
-    parser.add_argument("--triangles", type=int, default=100_000)
+    parser.add_argument("--triangles", type=int, default=100_000, help="of the room")
     parser.add_argument("--bounces", type=int, default=4)
     parser.add_argument("--few", type=int, default=4)
     parser.add_argument("--many", type=int, default=36)
     parser.add_argument("--samples", type=int, default=4096, help="of the converged pictures")
-    parser.add_argument("--matt", action="store_true", help="the room without highlights")
+    parser.add_argument("--matt", action="store_true", help="without highlights")
     parser.add_argument("--speed-only", action="store_true")
-    parser.add_argument("--keep", help="a folder for the pictures")
+    parser.add_argument("--keep", metavar="FOLDER",
+                        help="for the pictures; converged ones that are there are used again")
     options = parser.parse_args()
+    unknown = set(options.scenes) - set(SCENES)
+    if unknown:
+        parser.error(f"no scene is called {', '.join(sorted(unknown))}; there are "
+                     + ", ".join(SCENES))
     if shutil.which("blender") is None:
         sys.exit("Blender is not installed; its Debian package is blender")
     with tempfile.TemporaryDirectory() as folder:
-        if options.keep:
-            folder = options.keep
-            os.makedirs(folder, exist_ok=True)
-        room = Room(options, folder)
-        ratio = speeds(room)
-        if not options.speed_only:
-            agreement(room, errors(room, ratio))
+        folder = Path(options.keep or folder)
+        folder.mkdir(parents=True, exist_ok=True)
+        print(f"{options.size}, {options.bounces} bounces, {os.cpu_count()} processors")
+        print(f"{'scene':8} {'renderer':27} {'samples/s':>11} {'ratio':>6} {'samples':>8} "
+              + " ".join(f"error {side:<2}" if side > 9 else f"error {side}" for side in BOXES)
+              + "  specks")
+        for name in options.scenes or SCENES:
+            compare(Bench(name, options, folder))
 
 
 if __name__ == "__main__":

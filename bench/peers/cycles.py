@@ -4,10 +4,11 @@
 
 Usage: blender --background --factory-startup --python cycles.py -- SETTINGS.json
 
-The settings: scene, matt (whether surfaces are matt by Lambert's law), output (EXR,
-or none), width, height, samples (a list: one render each), bounces, position (in Blender's axes),
-threads. The camera is the whole sphere of directions, like Balcony's
-`panorama`: the centre of the picture looks along x.
+The settings: scene, sky (its radiance), matt (whether surfaces are matt by Lambert's law), defaults
+(whether Cycles clamps, blurs and skips light as it does unless told otherwise), output (EXR, or
+none), width, height, samples (a list: one render each), bounces, position (in Blender's axes),
+threads. The camera is the whole sphere of directions, like Balcony's `panorama`: the centre of the
+picture looks along x.
 """
 import json
 import math
@@ -21,14 +22,19 @@ import numpy
 if not hasattr(numpy, "bool"):
     numpy.bool = bool
 
+# By which its importer divides the illuminance of suns, but not what surfaces emit.
+LUMENS_PER_WATT = 683
 
-def load(scene_file):
+
+def load(scene_file, sky):
     bpy.ops.wm.read_factory_settings(use_empty=True)
     bpy.ops.import_scene.gltf(filepath=scene_file)
     scene = bpy.context.scene
-    world = bpy.data.worlds.new("black")
-    world.color = (0, 0, 0)
+    world = bpy.data.worlds.new("sky")
+    world.color = (sky, sky, sky)
     scene.world = world
+    for light in bpy.data.lights:
+        light.energy *= LUMENS_PER_WATT
     return scene
 
 
@@ -75,10 +81,12 @@ def set_up(scene, settings):
     cycles.device = "CPU"
     cycles.use_adaptive_sampling = False
     cycles.use_denoising = False
-    cycles.sample_clamp_indirect = 0
-    cycles.sample_clamp_direct = 0
-    cycles.blur_glossy = 0
-    cycles.light_sampling_threshold = 0
+    cycles.seed = settings["seed"]
+    if not settings["defaults"]:
+        cycles.sample_clamp_indirect = 0
+        cycles.sample_clamp_direct = 0
+        cycles.blur_glossy = 0
+        cycles.light_sampling_threshold = 0
     cycles.caustics_reflective = cycles.caustics_refractive = True
     for limit in ("max_bounces", "diffuse_bounces", "glossy_bounces", "transmission_bounces"):
         setattr(cycles, limit, settings["bounces"])
@@ -88,7 +96,7 @@ def set_up(scene, settings):
 def main():
     with open(sys.argv[sys.argv.index("--") + 1], encoding="utf-8") as file:
         settings = json.load(file)
-    scene = load(settings["scene"])
+    scene = load(settings["scene"], settings["sky"])
     if settings["matt"]:
         make_matt()
     add_camera(scene, settings["position"])

@@ -3,12 +3,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """Writes a glTF room in which renderers are compared.
 
-Usage: room.py OUT.glb [--triangles COUNT] [--matt]
+Usage: room.py OUT.glb [--triangles COUNT]
 
 A room of 6 x 4 x 3 metres with a lamp below the ceiling, a glossy floor, coloured side walls, a
 sphere of glass, one of metal, a textured picture, and seven heads (spheres with bumps) that share
-the given number of triangles. With --matt, surfaces have no highlights and the metal is a mirror, so
-that every surface is one that glTF 2.0 and Blender's Principled BSDF describe alike.
+the given number of triangles.
 """
 import argparse
 import json
@@ -98,6 +97,16 @@ class Glb:
         self.json["nodes"].append({"name": name, "mesh": len(self.json["meshes"]) - 1})
         self.json["scenes"][0]["nodes"].append(len(self.json["nodes"]) - 1)
 
+    def make_matt(self):
+        """Takes the highlights from opaque surfaces and makes metals mirrors, so that every surface is
+        one that glTF 2.0 and Blender's Principled BSDF describe alike."""
+        for material in self.json["materials"]:
+            base, more = material["pbrMetallicRoughness"], material.setdefault("extensions", {})
+            if base["metallicFactor"] > 0:
+                base["roughnessFactor"] = 0.0
+            elif "KHR_materials_transmission" not in more:
+                more["KHR_materials_specular"] = {"specularFactor": 0.0}
+
     def write(self, file):
         self.data += b"\0" * (-len(self.data) % 4)
         self.json["buffers"] = [{"byteLength": len(self.data)}]
@@ -160,21 +169,20 @@ def sphere(centre, radius, rows, bumps=0.0):
     return positions, normals, points, triangles
 
 
-def make_room(triangles, matt):
+def make_room(triangles):
     glb = Glb()
-    dull = {"extensions": {"KHR_materials_specular": {"specularFactor": 0.0}}} if matt else {}
-    white = glb.material("white", (0.8, 0.8, 0.8), **dull)
-    red = glb.material("red", (0.7, 0.15, 0.1), **dull)
-    green = glb.material("green", (0.2, 0.55, 0.15), **dull)
-    floor = glb.material("floor", (0.45, 0.3, 0.2), roughness=0.25, **dull)
-    metal = glb.material("metal", (0.9, 0.75, 0.4), roughness=0.0 if matt else 0.3, metallic=1.0)
+    white = glb.material("white", (0.8, 0.8, 0.8))
+    red = glb.material("red", (0.7, 0.15, 0.1))
+    green = glb.material("green", (0.2, 0.55, 0.15))
+    floor = glb.material("floor", (0.45, 0.3, 0.2), roughness=0.25)
+    metal = glb.material("metal", (0.9, 0.75, 0.4), roughness=0.3, metallic=1.0)
     glass = glb.material("glass", (1, 1, 1), roughness=0.0, extensions={
         "KHR_materials_transmission": {"transmissionFactor": 1.0},
         "KHR_materials_ior": {"ior": 1.5}, "KHR_materials_volume": {"thicknessFactor": 1.0}})
     light = glb.material("light", (0, 0, 0), emissiveFactor=[1.0, 0.9, 0.75], extensions={
         "KHR_materials_emissive_strength": {"emissiveStrength": 12.0}})
     picture = glb.material("picture", (1, 1, 1),
-                           texture=glb.texture(png(256, 256, picture_pixel)), **dull)
+                           texture=glb.texture(png(256, 256, picture_pixel)))
     glb.mesh("floor", quad((-3, 0, 2), (6, 0, 0), (0, 0, -4)), floor)
     glb.mesh("ceiling", quad((-3, 3, -2), (6, 0, 0), (0, 0, 4)), white)
     glb.mesh("back wall", quad((-3, 0, -2), (6, 0, 0), (0, 3, 0)), white)
@@ -198,9 +206,8 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("output")
     parser.add_argument("--triangles", type=int, default=100_000)
-    parser.add_argument("--matt", action="store_true")
     options = parser.parse_args()
-    make_room(options.triangles, options.matt).write(options.output)
+    make_room(options.triangles).write(options.output)
 
 
 if __name__ == "__main__":
