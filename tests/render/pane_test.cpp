@@ -267,6 +267,22 @@ TEST(GuidedPath, ASkyBehindGlassIsTheSameByAllMethods) {
     expect_one_light(under_a_slab(), asked, "sky");
 }
 
+// A pane in front of the glass mirrors a lamp that stands beside the floor that is seen, and is
+// dark below.
+TEST(GuidedPath, WhatAPaneMirrorsIsFoundOnce) {
+    scene::Scene scene = under_a_slab();
+    add(scene, wall(0.4F, 20.0F), pane());
+    for (const float radiance : {0.0F, 20.0F}) {
+        add(scene,
+            parallelogram({1.4F, -2.0F, radiance > 0.0F ? 0.05F : 0.04F}, {2.0F, 0.0F, 0.0F},
+                          {0.0F, 4.0F, 0.0F}),
+            glowing(radiance));
+    }
+    Request asked = request(64, 64, "path", 128);
+    asked.light.environment = Environment::constant(Color3f(1.0F));
+    expect_one_light(scene, asked, "pane");
+}
+
 TEST(GuidedPath, ASmallLampInAGlobeMakesLittleNoise) {
     Request asked = request(64, 64, "path", 64);
     const scene::Scene scene = with_globe(0.1F);

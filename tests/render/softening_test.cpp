@@ -165,18 +165,23 @@ TEST(Softening, WhatTheCameraSeesDirectlyStaysSharp) {
     EXPECT_GT(found[8 * 16 + 12].g, 3.0);
 }
 
+// Nothing, or a coat on top of it.
+void expect_softened_coat_alone(Appearance& appearance) {
+    EXPECT_FALSE(appearance.softened(0.5F));
+    appearance.clearcoat = 1.0F;
+    const std::optional<Appearance> softened = appearance.softened(0.5F);
+    ASSERT_TRUE(softened);
+    EXPECT_EQ(softened->roughness, appearance.roughness);
+    EXPECT_EQ(softened->clearcoat_roughness, 0.5F);
+    appearance.clearcoat = 0.0F;
+}
+
 TEST(Softening, LeavesPanesAlone) {
     Appearance pane;
     pane.base_color = Color3f(1.0F);
     pane.roughness = 0.0F;
     pane.transmission = 1.0F;
-    EXPECT_FALSE(pane.softened(0.5F));
-    pane.clearcoat = 1.0F;
-    const std::optional<Appearance> coated = pane.softened(0.5F);
-    ASSERT_TRUE(coated);
-    EXPECT_EQ(coated->roughness, 0.0F);
-    EXPECT_EQ(coated->clearcoat_roughness, 0.5F);
-    pane.clearcoat = 0.0F;
+    expect_softened_coat_alone(pane);
     pane.thin_walled = false;
     EXPECT_TRUE(pane.softened(0.5F));
 }
@@ -185,12 +190,7 @@ TEST(Softening, LeavesWideHighlightsAlone) {
     Appearance rough;
     rough.base_color = Color3f(0.5F);
     rough.roughness = 0.3F;
-    EXPECT_FALSE(rough.softened(0.5F));
-    rough.clearcoat = 1.0F;
-    const std::optional<Appearance> softened = rough.softened(0.5F);
-    ASSERT_TRUE(softened);
-    EXPECT_EQ(softened->roughness, 0.3F);
-    EXPECT_EQ(softened->clearcoat_roughness, 0.5F);
+    expect_softened_coat_alone(rough);
 }
 
 }  // namespace

@@ -369,6 +369,10 @@ bool PathTracer::scatter(std::size_t lane) {
     }
     const Interaction& at = block_.at(lane);
     const bool passes_pane = sample->delta && sample->transmitted && at.appearance().thin_walled;
+    // What a pane on the way mirrors, other paths find, with their whole weight.
+    if (path.is_guided && !passes_pane && !is_black(at.straight(path.ray.direction))) {
+        return false;
+    }
     light_.scatter(path, *sample, passes_pane);
     if (!passes_pane || path.bounces.all == 0 || path.crossings >= max_crossings) {
         count_bounce(path, sample->lobe, settings_->bounces);

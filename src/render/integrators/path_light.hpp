@@ -32,6 +32,7 @@ public:
     /// Of the paths of these rays.
     void begin(std::span<const CameraRay> rays, std::span<Seen> seen);
     [[nodiscard]] Part first_part() const { return shares_ ? Part::head : Part::whole; }
+    /// The result of a path that is not a guided one.
     [[nodiscard]] Seen& seen(const Path& path) { return seen_[path.index]; }
 
     /// Light that the path's ray brings.
