@@ -10,7 +10,7 @@ Needs Blender (package blender), numpy and OpenImageIO for Python (python3-numpy
 python3-openimageio). The scenes are those of scenes.py, all unless some are named. A table has the
 samples a second of both programs; then, in the time of 64 samples of Cycles without clamping, the
 root-mean-square error of means over boxes of 1, 4 and 16 pixels, and the number of specks: pixels
-brighter than 20 times the median that are not bright in the converged picture. Errors are relative
+brighter than 20 times the median and than twice the converged picture. Errors are relative
 to the mean, and measured against a converged picture of the same program with SAMPLES samples:
 Cycles without clamping, Balcony with --exact. The time of Balcony's denoiser does not count.
 """
@@ -105,8 +105,8 @@ def rms(picture, truth):
 
 def specks(picture, truth):
     import numpy as np
-    bright = 20 * np.median(truth.mean(axis=2))
-    return int(((picture.mean(axis=2) > bright) & (truth.mean(axis=2) <= bright)).sum())
+    light, expected = picture.mean(axis=2), truth.mean(axis=2)
+    return int((light > np.maximum(20 * np.median(expected), 2 * expected)).sum())
 
 
 def quality(picture, truth):
