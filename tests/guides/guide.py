@@ -20,9 +20,9 @@ BLOCK = re.compile(r"^```(\w+)\n(.*?)^```", re.MULTILINE | re.DOTALL)
 FILE_NAME = re.compile(r"(?:#|//) ([\w-]+\.\w+)\n")
 
 
-def skip(what):
+def skip(what, packages="guides"):
     """Ends the test as skipped, or as failed where everything must be checked."""
-    print(f"{what}; scripts/setup guides installs it")
+    print(f"{what}; scripts/setup {packages} installs it")
     sys.exit(1 if os.environ.get("BALCONY_GUIDES") else SKIPPED)
 
 
