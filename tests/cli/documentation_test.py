@@ -29,11 +29,10 @@ def command_lines(text):
 class Documentation(support.CommandTest):
     def setUp(self):
         super().setUp()
-        for name in ("gallery", "scene"):
+        for name in ("build/release", "out", "pictures"):
+            (self.folder / name).mkdir(parents=True)
+        for name in ("gallery", "scene", "build/release/gallery"):
             (self.folder / f"{name}.glb").write_bytes(support.glb_bytes())
-        (self.folder / "out" / "scenes").mkdir(parents=True)
-        (self.folder / "pictures").mkdir()
-        (self.folder / "out" / "scenes" / "gallery.glb").write_bytes(support.glb_bytes())
         for name in ("docs", "plates", "examples"):
             (self.folder / name).symlink_to(support.REPOSITORY / name)
         shutil.copy(support.REPOSITORY / "examples" / "my.cam", self.folder)
@@ -54,7 +53,7 @@ class Documentation(support.CommandTest):
                 # The last option of a kind counts, so these make the page's picture small.
                 size = ("-W", "24") if "-W" in words else ("--size", "24x16")
                 small = (*size, "--samples", "1") if words[0] in ("render", "animate") else ()
-                small = size if words[0] == "blend" else small
+                small = size if words[0] in ("blend", "demo") else small
                 if words[0] == "merge" and words[1].endswith(".mp4") and not shutil.which("ffmpeg"):
                     continue
                 if words[0] == "animate" or (words[0] == "draw" and "--frames" in words):

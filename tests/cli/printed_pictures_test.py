@@ -14,7 +14,7 @@ from documentation_test import FENCED, command_lines
 COMMANDS = ("", "render", "animate", "check", "locate", "info", "warp")
 SCENES = (".glb", ".gltf")
 # These are about what a reader may not have: the demo's gallery, a camera in the scene, shards.
-SPECIAL = ("out/scenes/gallery.glb", "scene:Front", "--shard")
+SPECIAL = ("build/release/gallery.glb", "scene:Front", "--shard")
 # Words of a picture that cannot be otherwise: the camera is not for such a scene.
 EXCUSES = ("of the rays of camera", "start in closed objects")
 

@@ -72,6 +72,7 @@ private:
 // The subcommands in the order of the help, a row each. The file of NAME defines
 // add_NAME_command().
 #define BALCONY_COMMANDS(ROW) \
+    ROW(demo)                 \
     ROW(render)               \
     ROW(animate)              \
     ROW(merge)                \
