@@ -122,6 +122,7 @@ int main(int argc, char** argv) {
         Section{"maps", bench::print_maps},
         Section{"compile", bench::print_compilation},
         Section{"inverse", bench::print_inverse},
+        Section{"solve", bench::print_solve},
         Section{"scenes", bench::print_scenes},
         Section{"start", bench::print_start},
     };

@@ -46,6 +46,9 @@ void print_compilation();
 /// Prints how fast points in space are found in pictures.
 void print_inverse();
 
+/// Prints how long it takes to find parameters of a camera.
+void print_solve();
+
 /// Prints how long a large scene file takes to load.
 void print_scenes();
 

@@ -22,6 +22,7 @@ foreach(dependency IN LISTS BALCONY_LIBRARY_DEPENDENCIES)
     unset(CMAKE_MESSAGE_LOG_LEVEL)
 endforeach()
 
+find_package(Eigen3 3.4 REQUIRED)           # Eigen3::Eigen, headers of the layer solve
 find_package(CLI11 2.1 REQUIRED)            # CLI11::CLI11
 if(BUILD_TESTING)
     find_package(GTest 1.12 REQUIRED)       # GTest::gtest_main

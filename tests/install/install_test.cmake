@@ -60,6 +60,15 @@ if(NOT result EQUAL 1 OR NOT said MATCHES "panorama")
     message(FATAL_ERROR "rays (${result}) says of a mistyped camera:\n${said}")
 endif()
 
+# Another finds a camera by the corners of a facade.
+set(solve "${FOLDER}/solve")
+file(REMOVE_RECURSE "${solve}")
+build("${EXAMPLES}/solve" "${solve}")
+execute_process(COMMAND "${solve}/solve" RESULT_VARIABLE result OUTPUT_VARIABLE said ERROR_VARIABLE said)
+if(NOT result EQUAL 0 OR NOT said MATCHES "fov = [0-9.]+ \\+- [0-9.]+\n" OR NOT said MATCHES "missed by 0")
+    message(FATAL_ERROR "solve (${result}) says:\n${said}")
+endif()
+
 # The last example renders a picture and a turn. A second run continues the turn: nothing is left.
 set(render "${FOLDER}/render")
 file(REMOVE_RECURSE "${render}")

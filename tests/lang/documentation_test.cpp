@@ -60,7 +60,8 @@ TEST(Documentation, ListingsOfCppAreTheExamples) {
     const std::string page = test::read_file(root / "docs/cpp.md");
     const std::string rays = test::read_file(root / "examples/rays/main.cpp");
     const std::string programs = rays + test::read_file(root / "examples/own_stage/main.cpp") +
-                                 test::read_file(root / "examples/render/main.cpp");
+                                 test::read_file(root / "examples/render/main.cpp") +
+                                 test::read_file(root / "examples/solve/main.cpp");
     const std::string opening = "```cpp\n";
     std::size_t count = 0;
     for (std::size_t at = page.find(opening); at != std::string::npos;
@@ -70,7 +71,7 @@ TEST(Documentation, ListingsOfCppAreTheExamples) {
         EXPECT_NE(programs.find(snippet), std::string::npos) << snippet;
         ++count;
     }
-    EXPECT_EQ(count, 9U);
+    EXPECT_EQ(count, 10U);
     EXPECT_NE(page.find(rays.substr(rays.find("#include"))), std::string::npos);
     EXPECT_NE(page.find(test::read_file(root / "examples/rays/CMakeLists.txt")), std::string::npos);
 }

@@ -1,0 +1,160 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Solve: the parameters of a camera from what its picture is to show.
+//
+// The unknowns are inputs of the camera's formulas, such as parameters that lang::make_open_camera
+// leaves open, and the places of targets, which are rigid groups of points, for instance a
+// chessboard. A point of space appears where the camera's ray meets it: Newton's iteration finds
+// that position, and the implicit function theorem gives its derivatives by the unknowns from the
+// exact derivatives of the ray. The sum of squares of what the constraints miss, in units of their
+// standard deviations, is minimized by the method of Levenberg and Marquardt.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include <Imath/ImathVec.h>
+
+#include "balcony/base.hpp"
+#include "balcony/camera.hpp"
+#include "balcony/catalogue.hpp"
+#include "balcony/names.hpp"
+
+namespace balcony::solve {
+
+using Imath::V2d;
+using Imath::V3d;
+
+/// An input of the camera's formulas that is to be found.
+struct Unknown {
+    std::string input;      ///< Its name in the graph, such as lang::parameter_input("fov").
+    double value = 0.0;     ///< Where the search begins.
+    camera::Range range{};  ///< The values that it may have.
+    /// How far it may be from `value`: a standard deviation. Without it, anywhere in the range.
+    std::optional<double> deviation{};
+};
+
+/// Where a rigid group of points is: place = rotation * point + translation.
+struct Pose {
+    V3d rotation{0.0};  ///< The axis, times the angle in radians.
+    V3d translation{0.0};
+
+    [[nodiscard]] V3d operator*(const V3d& point) const;
+};
+
+/// A group of points whose pose is unknown.
+struct Target {
+    Pose start{};
+};
+
+/// What a camera sees, in the axes of the camera.
+struct Mark {
+    V3d place{0.0};  ///< A point of space or of a target; at infinity, the direction to it.
+    bool at_infinity = false;
+    std::optional<std::size_t> target{};  ///< The index of the one that it belongs to.
+    /// Where in the picture the search for it begins, in pixels; by default where the camera shows
+    /// it with the first values of the unknowns.
+    std::optional<V2d> near{};
+};
+
+/// What a constraint demands. Rows of constraint_kinds() say how many marks each takes and what it
+/// misses.
+enum class ConstraintKind : std::uint8_t {
+    at,        ///< A mark appears at a position.
+    together,  ///< Two marks appear at one position.
+    inside,    ///< A mark is in the picture, at least `value` pixels from its border.
+    outside,   ///< A mark is not in the picture.
+    straight,  ///< The third mark appears on the line through the first two.
+    level,     ///< Two marks appear at one height.
+    upright,   ///< Two marks appear one above the other.
+    parallel,  ///< The line through the first two marks is parallel to that through the others.
+    length,    ///< Two marks appear `value` pixels apart.
+    ratio,     ///< The first two marks are `value` times as far apart as the other two.
+    magnification,  ///< At a position, `value` pixels per unit at a distance, or per radian.
+    isotropic,      ///< At a position, small circles appear as circles.
+    unfolded,       ///< At a position, the picture is not mirrored and not compressed to a line.
+};
+
+/// One demand on the picture.
+struct Constraint {
+    ConstraintKind kind = ConstraintKind::at;
+    std::vector<std::size_t> marks{};  ///< Indices of the problem's marks.
+    V2d position{0.0};                 ///< In pixels from the upper left corner.
+    double value = 0.0;
+    /// Where a magnification or a shape is measured, in scene units; without it at infinity.
+    std::optional<double> distance{};
+    /// The standard deviation of what it misses, above 0: in pixels for marks; for magnifications
+    /// as a part of the value; for shapes as a part of 1.
+    double deviation = 1.0;
+    /// What it misses beyond so many standard deviations counts less and less (Cauchy's loss).
+    std::optional<double> tolerance{};
+};
+
+/// A kind of constraints for documentation and readers of files.
+struct ConstraintKindInfo {
+    ConstraintKind kind;
+    std::string_view name;
+    std::string_view meaning;
+    std::size_t marks;  ///< How many it takes; 0 if it is about a position.
+    bool has_position;
+    bool has_value;
+    std::string_view unit;  ///< Of what it misses.
+};
+[[nodiscard]] const std::vector<ConstraintKindInfo>& constraint_kinds();
+
+/// What is to be solved.
+struct Problem {
+    std::vector<Unknown> unknowns;
+    std::vector<Target> targets;
+    std::vector<Mark> marks;
+    std::vector<Constraint> constraints;
+};
+
+struct Options {
+    std::size_t iterations = 200;  ///< At most, from each start.
+    /// How many starts are tried: the first is that of the problem, the others are spread over the
+    /// ranges of the unknowns that have finite ones.
+    std::size_t starts = 1;
+};
+
+/// What a constraint misses, in its unit.
+struct Miss {
+    std::array<double, 2> by{};
+    std::size_t count = 1;    ///< How many of these it has.
+    double deviations = 0.0;  ///< Their length in standard deviations.
+};
+
+/// Values for the unknowns.
+struct Solution {
+    std::vector<double> values;  ///< By unknown.
+    std::vector<Pose> poses;     ///< By target.
+    std::vector<Miss> misses;    ///< By constraint.
+    /// Where the marks appear, in pixels; nothing for one that no ray meets.
+    std::vector<std::optional<V2d>> seen;
+    /// The standard deviations of the unknowns, if each demand misses what its deviation says;
+    /// infinite for an unknown that the constraints do not determine.
+    std::vector<double> deviations;
+    /// The same for products of deviations: covariance[i * n + j] of the unknowns i and j.
+    std::vector<double> covariance;
+    double cost = 0.0;  ///< The sum of squares, with tolerances applied.
+    std::size_t iterations = 0;
+    bool converged = false;
+};
+
+/// Finds values for the unknowns with which a picture of a size in pixels misses as little of the
+/// constraints as it can. It is an error if there are no unknowns or constraints, if an index, a
+/// number or an input is not known, if no ray meets a mark that must be seen, and, of
+/// Kind::interrupted, if it is stopped. Unknowns that the constraints do not determine keep their
+/// first values, with a warning.
+[[nodiscard]] Result<Solution> solve(const camera::Camera& camera, double width, double height,
+                                     const Problem& problem, const Options& options = {},
+                                     const std::stop_token& stop = {});
+
+}  // namespace balcony::solve

@@ -1,0 +1,101 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "solve/problem_check.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace balcony::solve {
+
+namespace {
+
+bool is_finite(const V3d& v) { return std::isfinite(v.x + v.y + v.z); }
+
+Diagnostic numbered(std::string_view what, std::size_t i, std::string_view problem) {
+    return error(fmt::format("{} {} {}", what, i + 1, problem));
+}
+
+bool is_within(const Unknown& unknown) {
+    const camera::Range& range = unknown.range;
+    return unknown.value <= range.maximum &&
+           (range.excludes_minimum ? unknown.value > range.minimum
+                                   : unknown.value >= range.minimum);
+}
+
+void check_constraint(const Constraint& constraint, std::size_t i, const Problem& problem,
+                      Diagnostics& found) {
+    const ConstraintKindInfo& kind = constraint_kinds()[static_cast<std::size_t>(constraint.kind)];
+    const auto wrong = [&](std::string_view what) {
+        found.push_back(numbered("constraint", i, fmt::format("('{}') {}", kind.name, what)));
+    };
+    if (constraint.marks.size() != kind.marks) {
+        wrong(
+            fmt::format("takes {}, not {}", counted(kind.marks, "mark"), constraint.marks.size()));
+    }
+    for (const std::size_t mark : constraint.marks) {
+        if (mark >= problem.marks.size()) {
+            wrong(fmt::format("names mark {} of {}", mark + 1, problem.marks.size()));
+        }
+    }
+    if (!(constraint.deviation > 0.0 && std::isfinite(constraint.deviation))) {
+        wrong("has a deviation that is not above 0");
+    }
+    if (constraint.tolerance && !(*constraint.tolerance > 0.0)) {
+        wrong("has a tolerance that is not above 0");
+    }
+    if (constraint.distance && !(*constraint.distance > 0.0)) {
+        wrong("has a distance that is not above 0");
+    }
+    if (!std::isfinite(constraint.position.x + constraint.position.y + constraint.value)) {
+        wrong("has a number that is not finite");
+    }
+    if (constraint.kind == ConstraintKind::magnification && !(constraint.value > 0.0)) {
+        wrong("has a value that is not above 0");
+    }
+}
+
+}  // namespace
+
+Diagnostics problems_of(const Problem& problem) {
+    Diagnostics found;
+    if (problem.unknowns.empty() && problem.targets.empty()) {
+        found.push_back(error("nothing is unknown", {}, "name a parameter to be found"));
+    }
+    if (problem.constraints.empty()) {
+        found.push_back(error("there is no constraint", {}, "say what the picture is to show"));
+    }
+    for (std::size_t i = 0; i < problem.unknowns.size(); ++i) {
+        const Unknown& unknown = problem.unknowns[i];
+        if (!std::isfinite(unknown.value) || !is_within(unknown)) {
+            found.push_back(numbered("unknown", i,
+                                     fmt::format("('{}') begins at {}, outside its range",
+                                                 unknown.input, unknown.value)));
+        }
+        if (unknown.deviation && !(*unknown.deviation > 0.0)) {
+            found.push_back(numbered("unknown", i, "has a deviation that is not above 0"));
+        }
+    }
+    for (std::size_t i = 0; i < problem.targets.size(); ++i) {
+        const Pose& start = problem.targets[i].start;
+        if (!is_finite(start.rotation) || !is_finite(start.translation)) {
+            found.push_back(numbered("target", i, "begins at a pose that is not finite"));
+        }
+    }
+    for (std::size_t i = 0; i < problem.marks.size(); ++i) {
+        const Mark& mark = problem.marks[i];
+        if (!is_finite(mark.place) || (mark.at_infinity && !(mark.place.length2() > 0.0))) {
+            found.push_back(numbered("mark", i, "is at no place"));
+        }
+        if (mark.target && (*mark.target >= problem.targets.size() || mark.at_infinity)) {
+            found.push_back(numbered("mark", i, "is a point of no target"));
+        }
+    }
+    for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
+        check_constraint(problem.constraints[i], i, problem, found);
+    }
+    return found;
+}
+
+}  // namespace balcony::solve

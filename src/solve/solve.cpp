@@ -1,0 +1,183 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "balcony/solve.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "balcony/inverse.hpp"
+#include "balcony/progress.hpp"
+#include "solve/problem_check.hpp"
+#include "solve/system.hpp"
+
+namespace balcony::solve {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+// The problem with the positions that constraints demand as the places where the search for their
+// marks begins.
+Problem with_positions(Problem problem) {
+    for (const Constraint& constraint : problem.constraints) {
+        if (constraint.kind == ConstraintKind::at) {
+            std::optional<V2d>& near = problem.marks[constraint.marks.front()].near;
+            near = near.value_or(constraint.position);
+        }
+    }
+    return problem;
+}
+
+// Where the first values of the unknowns show a mark that no constraint has a position for: what
+// Newton's iteration finds from places all over the picture, in a fixed order.
+std::optional<V2d> found_from_grid(const InputRays& rays, const Problem& problem, std::size_t mark,
+                                   const V2d& size) {
+    constexpr int cells = 8;
+    Problem alone{problem.unknowns, problem.targets, {problem.marks[mark]}, {}};
+    for (int cell = 0; cell < cells * cells; ++cell) {
+        const V2d at((cell % cells + 0.5) / cells * size.x, (cell / cells + 0.5) / cells * size.y);
+        alone.marks.front().near.reset();
+        System system(rays, alone, size, {at});
+        const auto seen = system.seen(system.start());
+        if (seen.front() && seen.front()->reached && seen.front()->at.x >= 0.0 &&
+            seen.front()->at.x <= size.x && seen.front()->at.y >= 0.0 &&
+            seen.front()->at.y <= size.y) {
+            return seen.front()->at;
+        }
+    }
+    return std::nullopt;
+}
+
+// Where the search for each mark begins.
+Result<std::vector<V2d>> first_positions(const InputRays& rays, const Problem& problem,
+                                         const V2d& size) {
+    std::vector<V2d> made;
+    for (std::size_t i = 0; i < problem.marks.size(); ++i) {
+        const std::optional<V2d> at =
+            problem.marks[i].near ? problem.marks[i].near : found_from_grid(rays, problem, i, size);
+        if (!at) {
+            return error(fmt::format("no ray of the first values meets mark {}", i + 1), {},
+                         "say where in the picture it is, or begin with values that show it");
+        }
+        made.push_back(*at);
+    }
+    return made;
+}
+
+// The i-th number of the van der Corput sequence of a prime base.
+double radical_inverse(std::size_t i, std::size_t base) {
+    double part = 1.0;
+    double made = 0.0;
+    for (; i > 0; i /= base) {
+        part /= static_cast<double>(base);
+        made += part * static_cast<double>(i % base);
+    }
+    return made;
+}
+
+// Start number 0 is that of the problem; the others are points of Halton's sequence.
+Problem started(Problem problem, std::size_t number) {
+    constexpr std::array<std::size_t, 10> primes{2, 3, 5, 7, 11, 13, 17, 19, 23, 29};
+    for (std::size_t k = 0; number > 0 && k < std::min(problem.unknowns.size(), primes.size());
+         ++k) {
+        Unknown& unknown = problem.unknowns[k];
+        const double width = unknown.range.maximum - unknown.range.minimum;
+        if (std::isfinite(width)) {
+            unknown.value = unknown.range.minimum + radical_inverse(number, primes[k]) * width;
+        }
+    }
+    return problem;
+}
+
+Solution solution_of(const Minimum& minimum, System& system, std::size_t inputs) {
+    Solution made;
+    made.values = system.inputs_of(minimum.unknowns);
+    made.poses = system.poses_of(minimum.unknowns);
+    made.misses = system.misses(minimum.unknowns).value_or(std::vector<Miss>{});
+    for (const auto& seen : system.seen(minimum.unknowns)) {
+        made.seen.push_back(seen && seen->reached ? std::optional(seen->at) : std::nullopt);
+    }
+    made.cost = minimum.residuals.values.squaredNorm();
+    made.iterations = minimum.iterations;
+    made.converged = minimum.converged;
+    const Spread spread = spread_of(minimum.residuals);
+    for (std::size_t i = 0; i < inputs; ++i) {
+        for (std::size_t j = 0; j < inputs; ++j) {
+            made.covariance.push_back(
+                spread.covariance(static_cast<Index>(i), static_cast<Index>(j)));
+        }
+        made.deviations.push_back(spread.undetermined[i]
+                                      ? std::numeric_limits<double>::infinity()
+                                      : std::sqrt(made.covariance[i * inputs + i]));
+    }
+    return made;
+}
+
+}  // namespace
+
+Result<Solution> solve(const camera::Camera& camera, double width, double height,
+                       const Problem& given, const Options& options, const std::stop_token& stop) {
+    if (Diagnostics found = problems_of(given); !found.empty()) {
+        return found;
+    }
+    const Problem problem = with_positions(given);
+    std::vector<std::string> inputs;
+    for (const Unknown& unknown : problem.unknowns) {
+        inputs.push_back(unknown.input);
+    }
+    std::vector<Constraint> shapes;
+    std::copy_if(problem.constraints.begin(), problem.constraints.end(), std::back_inserter(shapes),
+                 [](const Constraint& constraint) { return constraint.marks.empty(); });
+    Result<InputRays> rays = InputRays::make(camera, width, height, inputs, shapes, stop);
+    if (!rays) {
+        return std::move(rays.diagnostics);
+    }
+    const V2d size(width, height);
+    std::optional<Solution> best;
+    Diagnostics first_found;
+    for (std::size_t number = 0; number < std::max<std::size_t>(options.starts, 1); ++number) {
+        const Problem trial = started(problem, number);
+        Result<std::vector<V2d>> near = first_positions(*rays, trial, size);
+        if (!near) {
+            first_found = number == 0 ? std::move(near.diagnostics) : std::move(first_found);
+            continue;
+        }
+        System system(*rays, trial, size, *near);
+        const std::optional<Minimum> minimum =
+            minimize([&](const VectorXd& at) { return system.residuals(at); }, system.start(),
+                     system.limits(), options.iterations, stop);
+        if (minimum && minimum->stopped) {
+            return stopped();
+        }
+        if (minimum && (!best || minimum->residuals.values.squaredNorm() < best->cost)) {
+            best = solution_of(*minimum, system, inputs.size());
+        }
+    }
+    if (!best) {
+        return first_found.empty()
+                   ? Diagnostics{error("the camera has no rays where the constraints are", {},
+                                       "begin with other values of the unknowns")}
+                   : first_found;
+    }
+    Diagnostics warnings;
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        if (!std::isfinite(best->deviations[i])) {
+            warnings.push_back(
+                warning(fmt::format("the constraints do not determine '{}'", inputs[i]), {},
+                        "add a constraint that it changes, or leave it out of the unknowns"));
+        }
+    }
+    if (!best->converged) {
+        warnings.push_back(warning(
+            fmt::format("no minimum was found in {}", counted(best->iterations, "iteration")), {},
+            "begin nearer to it, or allow more iterations"));
+    }
+    return {std::move(*best), std::move(warnings)};
+}
+
+}  // namespace balcony::solve
