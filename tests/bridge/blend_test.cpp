@@ -59,6 +59,12 @@ TEST(Blend, SharesOfADirectionHaveTheSum1) {
         std::vector<double> sums;
         blend->run(i, 0, rays.height(), sums);
         const std::vector<double> own = sums;
+        std::vector<double> row;
+        blend->run(i, 7, 1, row);
+        for (std::size_t x = 0; x < rays.width(); ++x) {
+            // Places are found from other ones, each exact to 1e-8 pixel; see below.
+            ASSERT_NEAR(row[x], own[7 * rays.width() + x], 1e-6) << i << ' ' << x;
+        }
         for (std::size_t j = 0; j < projectors.size(); ++j) {
             if (i == j) {
                 continue;
@@ -109,6 +115,48 @@ TEST(Blend, IsHalfInTheMiddleAndWholeAlone) {
     const auto one = Blend::make({projector("0deg")});
     one->run(0, 0, 64, shares);
     EXPECT_EQ(shares, std::vector<double>(96 * 64, 1.0));
+}
+
+// What a picture shows of the other one with rays everywhere is shared by the distances from the
+// rim of a circle and from the sides, each as a part of its own picture.
+TEST(Blend, SharesGoWithTheDistanceFromTheBorder) {
+    constexpr std::size_t size = 80;
+    const SourceCamera dome = source_of("fulldome", size, size);
+    const SourceCamera around = source_of("panorama", 200, 100);
+    const auto blend = Blend::make({dome, around});
+    ASSERT_TRUE(blend) << to_text(blend.diagnostics);
+    std::vector<double> shares;
+    blend->run(0, 0, size, shares);
+    std::vector<SourcePlace> places;
+    StMap::make(dome.rays, around)->run(0, size, places);
+    const std::vector<V2d> pixels = centres(dome.rays);
+    const auto from_sides = [](const V2d& place, double width, double height) {
+        return std::min({place.x, place.y, width - place.x, height - place.y});
+    };
+    std::vector<V2d> outside;
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        if (!places[i].valid) {
+            outside.push_back(pixels[i]);
+        }
+    }
+    std::size_t rim = 0;
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        if (!places[i].valid) {
+            ASSERT_EQ(shares[i], 0.0) << i;
+            continue;
+        }
+        double from_outside = size;
+        for (const V2d& place : outside) {
+            from_outside = std::min(from_outside, (place - pixels[i]).length() - 0.5);
+        }
+        const double sides = from_sides(pixels[i], size, size);
+        rim += from_outside < sides ? 1 : 0;
+        const double own = std::min(from_outside, sides) / size;
+        const V2d there = V2d(places[i].st.x, 1.0 - places[i].st.y) * V2d(200.0, 100.0);
+        const double other = std::max(0.0, from_sides(there, 200.0, 100.0)) / 100.0;
+        ASSERT_NEAR(shares[i], own / (own + other), 1e-6) << pixels[i];  // As above.
+    }
+    EXPECT_GT(rim, 1000U);
 }
 
 TEST(Blend, RefusesSeveralViewpoints) {
@@ -210,6 +258,17 @@ TEST(WarpMesh, IsReadBackFromItsText) {
     EXPECT_EQ(mesh.nodes.back().position, V2d(1.5, 1.0));
     std::string rest;
     EXPECT_FALSE(text >> rest);
+    // An intensity is the share as a projector of this gamma takes it.
+    const WarpMesh linear = warp_mesh(*blend, 0, *map, 9, 7, 1.0);
+    bool partial = false;
+    for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
+        const double intensity = mesh.nodes[i].intensity;
+        partial = partial || (intensity > 0.0 && intensity < 1.0);
+        if (intensity >= 0.0) {
+            EXPECT_NEAR(intensity * intensity, linear.nodes[i].intensity, 1e-12);
+        }
+    }
+    EXPECT_TRUE(partial);
     // Masks blend instead.
     for (const WarpMesh::Node& node : warp_mesh(*blend, 0, *map, 9, 7, {}).nodes) {
         EXPECT_TRUE(node.intensity == 1.0 || node.intensity == -1.0);
