@@ -196,6 +196,17 @@ TEST_F(Checkpoint, ArraysMayBeEmpty) {
     EXPECT_EQ(bytes_of(all), bytes_of(empty_film()));
 }
 
+TEST_F(Checkpoint, ArraysOfAnotherSizeAreRefused) {
+    Film larger = filled_film();
+    larger.display.push_back(larger.display.back());
+    ASSERT_FALSE(has_errors(write_checkpoint(larger, facts, {}, file)));
+    Film read = empty_film();
+    const Diagnostics found = read_checkpoint(read, facts, file);
+    ASSERT_TRUE(has_errors(found));
+    EXPECT_NE(found.front().message.find("it is damaged"), std::string::npos);
+    EXPECT_EQ(bytes_of(read), bytes_of(empty_film()));
+}
+
 // The file of a shard is as long as its parts say, at any place where it may end.
 TEST_F(Checkpoint, ATruncatedShardIsNotWhole) {
     ASSERT_FALSE(has_errors(
