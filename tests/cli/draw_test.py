@@ -190,6 +190,9 @@ class Draw(support.CommandTest):
                 self.assertNotIn("error", err)
             self.assertNotRegex((self.folder / "c.svg").read_text(), "nan|inf")
             self.assertLess((self.folder / "c.glb").stat().st_size, 100e6)
+        # Once for all frames of a film.
+        _, err = self.run_command("draw", "hang.cam", "--frames", "1-2", "-o", "c.#.svg", "-q")
+        self.assertEqual(err.count("turn or jump too often"), 1)
 
     def test_obeys_a_signal(self):
         (self.folder / "hang.cam").write_text(
