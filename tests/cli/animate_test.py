@@ -92,20 +92,21 @@ class Frames(AnimationTest):
         for scene in ("room.glb", "moving.gltf"):
             for more in ((), ("--shutter", "1/48")):
                 with self.subTest(scene=scene, more=more):
-                    self.run_command(*self.words("--frames", "3-5", "-o", "f.###.png",
+                    ending = "exr" if more else "png"
+                    self.run_command(*self.words("--frames", "3-5", "-o", f"f.###.{ending}",
                                                  "--overwrite", *more, scene=scene))
-                    for frame in (3, 4, 5):
-                        self.render(frame, "one.png", *more, scene=scene)
-                        self.assertEqual(self.bytes_of(f"f.{frame:03}.png"),
-                                         self.bytes_of("one.png"))
+                    for frame in (3, 5):
+                        self.render(frame, f"one.{ending}", *more, scene=scene)
+                        self.assertEqual(self.bytes_of(f"f.{frame:03}.{ending}"),
+                                         self.bytes_of(f"one.{ending}"))
         self.assertNotEqual(self.bytes_of("f.003.png"), self.bytes_of("f.004.png"))
 
     def test_stereo(self):
         stereo = ("--stereo", "side_by_side", "--separation", "0.5")
-        self.animate("--frames", "3", "-o", "f.#.png", *stereo)
-        self.render(3, "one.png", *stereo)
-        self.assertEqual(self.bytes_of("f.3.png"), self.bytes_of("one.png"))
-        self.refused(*self.words("--frames", "1", "-o", "g.#.png", "--stereo", "files"), code=2,
+        self.animate("--frames", "3", "-o", "f.#.exr", *stereo)
+        self.render(3, "one.exr", *stereo)
+        self.assertEqual(self.bytes_of("f.3.exr"), self.bytes_of("one.exr"))
+        self.refused(*self.words("--frames", "1", "-o", "g.#.exr", "--stereo", "files"), code=2,
                      says="not two", helps="--stereo left")
 
     def test_layers_of_motion(self):
@@ -115,51 +116,51 @@ class Frames(AnimationTest):
         self.assertEqual(self.bytes_of("f.2.exr"), self.bytes_of("one.exr"))
 
     def test_shutter_angle(self):
-        self.animate("--frames", "4", "-o", "f.#.png", "--shutter", "180deg")
-        self.animate("--frames", "4", "-o", "g.#.png", "--shutter", "1/48")
-        self.assertEqual(self.bytes_of("f.4.png"), self.bytes_of("g.4.png"))
-        self.refused(*self.words("--frames", "1", "-o", "f.#.png", "--shutter", "xdeg"), code=2,
+        self.animate("--frames", "4", "-o", "f.#.exr", "--shutter", "180deg")
+        self.animate("--frames", "4", "-o", "g.#.exr", "--shutter", "1/48")
+        self.assertEqual(self.bytes_of("f.4.exr"), self.bytes_of("g.4.exr"))
+        self.refused(*self.words("--frames", "1", "-o", "f.#.exr", "--shutter", "xdeg"), code=2,
                      says="--shutter cannot be 'xdeg'")
 
     def test_start_time_and_rate(self):
-        self.animate("--frames", "1", "-o", "f.#.png", "--start-time", "0.5")
-        self.animate("--frames", "6", "-o", "g.#.png", "--fps", "10", "--seed", "4294967291")
-        self.assertEqual(self.bytes_of("f.1.png"), self.bytes_of("g.6.png"))
+        self.animate("--frames", "1", "-o", "f.#.exr", "--start-time", "0.5")
+        self.animate("--frames", "6", "-o", "g.#.exr", "--fps", "10", "--seed", "4294967291")
+        self.assertEqual(self.bytes_of("f.1.exr"), self.bytes_of("g.6.exr"))
 
     def test_noise(self):
         (self.folder / "still.cam").write_text(CAMERA.replace("u + t", "u"))
         light = ("--shutter", "0.1", "--samples", "1", "--filter", "gaussian")
-        self.run_command(*self.words("--frames", "1-2", "-o", "f.#.png", "--same-noise", *light,
+        self.run_command(*self.words("--frames", "1-2", "-o", "f.#.exr", "--same-noise", *light,
                                      scene="moving.gltf", camera="still.cam"))
         self.run_command("render", "moving.gltf", "--camera", "still.cam", *self.SMALL, *light,
-                         "--time", repr(1 / 24), "-o", "one.png")
-        self.assertEqual(self.bytes_of("f.2.png"), self.bytes_of("one.png"))
+                         "--time", repr(1 / 24), "-o", "one.exr")
+        self.assertEqual(self.bytes_of("f.2.exr"), self.bytes_of("one.exr"))
 
     def test_as_many_as_the_scene_needs(self):
-        facts = self.json_of(*self.words("--fps", "4", "-o", "f.#.png", scene="moving.gltf"))
+        facts = self.json_of(*self.words("--fps", "4", "-o", "f.#.exr", scene="moving.gltf"))
         self.assertEqual(facts["frames"], "1-5")
-        self.refused(*self.words("-o", "g.#.png"), code=2, says="nothing tells how many frames",
+        self.refused(*self.words("-o", "g.#.exr"), code=2, says="nothing tells how many frames",
                      helps="--frames 1-240")
 
     def test_names(self):
-        for written, made in (("a.####.png", "a.0007.png"), ("b%03d.png", "b007.png"),
-                              ("c#.png", "c7.png"), ("%d.png", "7.png")):
+        for written, made in (("a.####.exr", "a.0007.exr"), ("b%03d.exr", "b007.exr"),
+                              ("c#.exr", "c7.exr"), ("%d.exr", "7.exr")):
             self.animate("--frames", "7", "-o", written)
             self.assertTrue((self.folder / made).exists(), written)
         for wrong in ("frame.png", "frame", "#/frame.png", "a%s.png", "a%x.png"):
             self.refused(*self.words("--frames", "7", "-o", wrong), code=2,
                          says="has no # for the number of the frame", helps=".####.png'")
-        out, err = self.animate("--frames", "99-100", "-o", "w.##.png")
-        self.assertIn("frame 100 has more digits than 'w.##.png'", err)
-        self.assertTrue((self.folder / "w.100.png").exists())
+        out, err = self.animate("--frames", "99-100", "-o", "w.##.exr")
+        self.assertIn("frame 100 has more digits than 'w.##.exr'", err)
+        self.assertTrue((self.folder / "w.100.exr").exists())
 
     def test_numbers(self):
         for text, numbers in (("2", [2]), ("0-2", [0, 1, 2]), ("1-7x3", [1, 4, 7]),
                               ("5,1-2,2", [1, 2, 5])):
-            facts = self.json_of(*self.words("--frames", text, "-o", "n.#.png", "--overwrite"))
+            facts = self.json_of(*self.words("--frames", text, "-o", "n.#.exr", "--overwrite"))
             self.assertEqual([one["frame"] for one in facts["pictures"]], numbers)
         for text in ("", "x", "3-1", "1-", "-3", "1-9x0", "1--2", "1,", "1.5", "99999999", "+1"):
-            self.refused("animate", "room.glb", f"--frames={text or ' '}", "-o", "n.#.png", code=2,
+            self.refused("animate", "room.glb", f"--frames={text or ' '}", "-o", "n.#.exr", code=2,
                          says="--frames cannot be")
 
     def test_one_number_is_the_length_of_a_film(self):
@@ -195,17 +196,17 @@ class Frames(AnimationTest):
 
 class Resuming(AnimationTest):
     def test_only_what_is_missing_is_rendered(self):
-        self.animate("--frames", "1-4", "-o", "f.#.png")
-        whole = self.bytes_of("f.3.png")
-        before = self.times("f.1.png", "f.2.png", "f.4.png")
-        (self.folder / "f.3.png").unlink()
-        facts = self.json_of(*self.words("--frames", "1-5", "-o", "f.#.png"))
+        self.animate("--frames", "1-4", "-o", "f.#.exr")
+        whole = self.bytes_of("f.3.exr")
+        before = self.times("f.1.exr", "f.2.exr", "f.4.exr")
+        (self.folder / "f.3.exr").unlink()
+        facts = self.json_of(*self.words("--frames", "1-5", "-o", "f.#.exr"))
         self.assertEqual([one["frame"] for one in facts["pictures"]], [3, 5])
         self.assertEqual(facts["skipped"], 3)
-        self.assertEqual(self.bytes_of("f.3.png"), whole)
-        self.assertEqual(self.times("f.1.png", "f.2.png", "f.4.png"), before)
-        (self.folder / "f.2.png").write_bytes(b"")
-        self.assertEqual(self.json_of(*self.words("--frames", "1-5", "-o", "f.#.png"))["rendered"],
+        self.assertEqual(self.bytes_of("f.3.exr"), whole)
+        self.assertEqual(self.times("f.1.exr", "f.2.exr", "f.4.exr"), before)
+        (self.folder / "f.2.exr").write_bytes(b"")
+        self.assertEqual(self.json_of(*self.words("--frames", "1-5", "-o", "f.#.exr"))["rendered"],
                          1)
 
     def test_other_settings_are_refused_or_replace_all(self):
@@ -224,34 +225,34 @@ class Resuming(AnimationTest):
                      says="the file 'move.cam' has changed")
 
     def test_turns_of_other_lengths_differ(self):
-        self.animate("--frames", "1-2", "-o", "f.#.png", "--turntable")
-        self.refused(*self.words("--frames", "1-3", "-o", "f.#.png", "--turntable"), code=1,
+        self.animate("--frames", "1-2", "-o", "f.#.exr", "--turntable")
+        self.refused(*self.words("--frames", "1-3", "-o", "f.#.exr", "--turntable"), code=1,
                      says="--frames was '1-2' and is '1-3'")
 
     def test_pictures_of_somebody_else(self):
-        (self.folder / "f.2.png").write_bytes(b"mine")
-        self.refused(*self.words("--frames", "1-3", "-o", "f.#.png"), code=1,
-                     says="'f.2.png' is there already", helps="--overwrite")
-        self.assertEqual(self.bytes_of("f.2.png"), b"mine")
-        self.animate("--frames", "3", "-o", "f.#.png")
-        (self.folder / "f.#.png.animation").write_text("{")
-        self.refused(*self.words("--frames", "3", "-o", "f.#.png"), code=1,
-                     says="'f.#.png.animation' is damaged", helps="--overwrite")
+        (self.folder / "f.2.exr").write_bytes(b"mine")
+        self.refused(*self.words("--frames", "1-3", "-o", "f.#.exr"), code=1,
+                     says="'f.2.exr' is there already", helps="--overwrite")
+        self.assertEqual(self.bytes_of("f.2.exr"), b"mine")
+        self.animate("--frames", "3", "-o", "f.#.exr")
+        (self.folder / "f.#.exr.animation").write_text("{")
+        self.refused(*self.words("--frames", "3", "-o", "f.#.exr"), code=1,
+                     says="'f.#.exr.animation' is damaged", helps="--overwrite")
 
     def interrupted(self, kill, code):
-        words = self.words("--frames", "1-6", "-o", "f.#.png", "--samples", "400",
+        words = self.words("--frames", "1-6", "-o", "f.#.exr", "--samples", "400",
                            "--checkpoint-every", "0.05")
         with self.start(*words) as process:
-            while process.poll() is None and not (self.folder / "f.2.png").exists():
+            while process.poll() is None and not (self.folder / "f.2.exr").exists():
                 time.sleep(0.005)
             process.send_signal(kill)
             out, err = process.communicate(timeout=60)
         self.assertEqual(process.returncode, code, err)
-        self.assertFalse((self.folder / "f.6.png").exists(), "it was too fast")
+        self.assertFalse((self.folder / "f.6.exr").exists(), "it was too fast")
         self.run_command(*words)
-        self.run_command(*self.words("--frames", "1-6", "-o", "w.#.png", "--samples", "400"))
+        self.run_command(*self.words("--frames", "1-6", "-o", "w.#.exr", "--samples", "400"))
         for frame in range(1, 7):
-            self.assertEqual(self.bytes_of(f"f.{frame}.png"), self.bytes_of(f"w.{frame}.png"))
+            self.assertEqual(self.bytes_of(f"f.{frame}.exr"), self.bytes_of(f"w.{frame}.exr"))
         self.assertEqual([name for name in self.files() if "checkpoint" in name], [])
         return out.decode()
 
@@ -310,7 +311,6 @@ class Turntable(AnimationTest):
                 self.assertEqual(max(pixel[3] for pixel in border), 0)
                 self.assertGreater(support.opaque_share(self.folder / f"t.{frame}.png"), 0.08)
 
-
     def test_around_an_object(self):
         (self.folder / "two.obj").write_text(
             "o far\nv 30 0 0\nv 39 0 0\nv 36 9 0\nf 1 2 3\n"
@@ -327,15 +327,15 @@ class Turntable(AnimationTest):
 
 class Shards(AnimationTest):
     def test_whole_frames(self):
-        self.animate("--frames", "1-5", "-o", "w.#.png")
+        self.animate("--frames", "1-5", "-o", "w.#.exr")
         for number in (1, 2):
-            self.animate("--frames", "1-5", "-o", "f.#.png", "--shard", f"{number}/2")
+            self.animate("--frames", "1-5", "-o", "f.#.exr", "--shard", f"{number}/2")
             made = [name for name in self.files() if name.startswith("f.") and
-                    name.endswith(".png")]
+                    name.endswith(".exr")]
             self.assertEqual(len(made), 3 if number == 1 else 5)
         for frame in range(1, 6):
-            self.assertEqual(self.bytes_of(f"f.{frame}.png"), self.bytes_of(f"w.{frame}.png"))
-        self.run_command("merge", "f.#.png")
+            self.assertEqual(self.bytes_of(f"f.{frame}.exr"), self.bytes_of(f"w.{frame}.exr"))
+        self.run_command("merge", "f.#.exr")
 
     def test_parts_of_frames(self):
         more = ("--frames", "1-2", "--parts-per-frame", "3")
@@ -349,22 +349,22 @@ class Shards(AnimationTest):
                 self.assertEqual(self.bytes_of(name), self.bytes_of(name.replace("f", "w", 1)))
 
     def test_missing_and_damaged_parts_are_named(self):
-        more = ("--frames", "1-3", "--parts-per-frame", "2", "-o", "f.#.png")
+        more = ("--frames", "1-3", "--parts-per-frame", "2", "-o", "f.#.exr")
         for number in (1, 2, 3):
             self.animate(*more, "--shard", f"{number}/6")
-        part = self.folder / "f.1.png.shard-1-of-2"
+        part = self.folder / "f.1.exr.shard-1-of-2"
         whole = part.read_bytes()
         part.write_bytes(whole[:-3])
-        err = self.refused("merge", "f.#.png", code=1,
-                           says="frame 1: 'f.1.png.shard-1-of-2' cannot be merged: it is damaged",
+        err = self.refused("merge", "f.#.exr", code=1,
+                           says="frame 1: 'f.1.exr.shard-1-of-2' cannot be merged: it is damaged",
                            helps="without --shard")
         self.assertIn("frame 2: 1 of 2 shards missing: 2/2", err)
         self.assertIn("1 of 3 frames missing: 3", err)
-        self.assertFalse((self.folder / "f.1.png").exists())
+        self.assertFalse((self.folder / "f.1.exr").exists())
         document = self.json_of(*self.words(*more))
-        self.assertIn("'f.1.png.shard-1-of-2' is damaged and is rendered again", str(document))
+        self.assertIn("'f.1.exr.shard-1-of-2' is damaged and is rendered again", str(document))
         self.assertEqual((document["rendered"], part.read_bytes()), (4, whole))
-        self.run_command("merge", "f.#.png")
+        self.run_command("merge", "f.#.exr")
 
     def test_damaged_frames_are_named(self):
         for ending in ("png", "exr", "tif", "jpg", "webp"):
@@ -386,26 +386,26 @@ class Shards(AnimationTest):
 
     def test_parts_of_other_settings(self):
         more = ("--frames", "1", "--parts-per-frame", "2")
-        self.animate(*more, "-o", "f.#.png", "--shard", "1/2")
-        self.animate(*more, "-o", "g.#.png", "--shard", "2/2", "--samples", "3")
-        self.refused("merge", "f.1.png.shard-1-of-2", "g.1.png.shard-2-of-2", "-o", "h.png",
+        self.animate(*more, "-o", "f.#.exr", "--shard", "1/2")
+        self.animate(*more, "-o", "g.#.exr", "--shard", "2/2", "--samples", "3")
+        self.refused("merge", "f.1.exr.shard-1-of-2", "g.1.exr.shard-2-of-2", "-o", "h.exr",
                      code=1, says="--samples was '2' and is '3'")
-        self.refused(*self.words(*more, "-o", "f.#.png", "--shard", "2/2", "--samples", "3"),
+        self.refused(*self.words(*more, "-o", "f.#.exr", "--shard", "2/2", "--samples", "3"),
                      code=1, says="--samples was '2' and is '3'")
 
     def test_fewer_frames_than_shards(self):
-        self.refused(*self.words("--frames", "1-3", "-o", "f.#.png", "--shard", "1/7"), code=2,
+        self.refused(*self.words("--frames", "1-3", "-o", "f.#.exr", "--shard", "1/7"), code=2,
                      says="there are 7 shards, but only 3 frames", helps="--parts-per-frame 3")
-        self.animate("--frames", "1-3", "-o", "f.#.png", "--shard", "7/7", "--parts-per-frame",
+        self.animate("--frames", "1-3", "-o", "f.#.exr", "--shard", "7/7", "--parts-per-frame",
                      "3")
-        self.refused("merge", "x.#.png", code=1, says="there are no frames of 'x.#.png'")
+        self.refused("merge", "x.#.exr", code=1, says="there are no frames of 'x.#.exr'")
 
     def test_a_picture_by_its_name(self):
         for number in (1, 2):
-            self.run_command("render", "room.glb", *self.SMALL, "-o", "p.png", "--shard",
+            self.run_command("render", "room.glb", *self.SMALL, "-o", "p.exr", "--shard",
                              f"{number}/2")
-        self.run_command("merge", "p.png")
-        self.assertTrue((self.folder / "p.png").exists())
+        self.run_command("merge", "p.exr")
+        self.assertTrue((self.folder / "p.exr").exists())
 
 
 class Films(AnimationTest):
