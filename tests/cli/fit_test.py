@@ -50,7 +50,7 @@ class Fit(support.CommandTest):
 
     def fitted(self, *words):
         out, _ = self.run_command("render", "tiles.obj", "--camera", "plan.cam:plan", "--size", "16",
-                                  "-s", "1", "-o", "out.png", *words)
+                                  "-s", "1", "-o", "out.exr", *words)
         lines = [line for line in out.splitlines() if line.startswith("  fitted: ")]
         return dict(word.split("=") for word in lines[0].split()[1:]) if lines else {}
 
@@ -61,7 +61,7 @@ class Fit(support.CommandTest):
     def test_built_in_cameras_are_placed_unless_they_are_not_to_be(self):
         def hits(*words):
             facts = self.json_of("render", "tiles.obj", "--camera", "panorama", "--size", "32",
-                                 "-s", "1", "-o", "out.png", *words)
+                                 "-s", "1", "-o", "out.exr", *words)
             return facts["layers"][0]["hits"], {one["name"]: one["value"] for one in facts["fitted"]}
 
         placed, where = hits()
@@ -103,7 +103,7 @@ class Fit(support.CommandTest):
         hits = {}
         for words in ((), ("--fit",), ("--fit", "--set", "width=100")):
             facts = self.json_of("render", "tiles.obj", "--camera", "plan.cam:plan", "--size", "64",
-                                 "-s", "1", "-o", "out.png", *words)
+                                 "-s", "1", "-o", "out.exr", *words)
             hits[words] = facts["layers"][0]["hits"]
         self.assertGreater(hits[("--fit",)], 64 * 64 * 0.1)
         self.assertLess(hits[("--fit", "--set", "width=100")], 64 * 64 * 0.01)
@@ -117,7 +117,7 @@ class Fit(support.CommandTest):
 
     def placed(self, *words):
         out, _ = self.run_command("render", "tiles.obj", "--camera", "pinhole", "--size", "16",
-                                  "-s", "1", "-o", "out.png", *words)
+                                  "-s", "1", "-o", "out.exr", *words)
         line = next(line for line in out.splitlines() if line.startswith("  fitted: "))
         return dict(word.split("=") for word in line.split()[1:])
 
@@ -145,7 +145,7 @@ class Fit(support.CommandTest):
         for camera, unused in (("superelliptic", True), ("orthographic", True),
                                ("panorama", False), ("cave", False), ("walkthrough", False)):
             _, err = self.run_command("render", "tiles.obj", "-c", camera, "--from", "0,1.5,0",
-                                      "--size", "16x8", "-s", "1", "-o", "out.png")
+                                      "--size", "16x8", "-s", "1", "-o", "out.exr")
             self.assertEqual("--from has no effect" in err, unused, f"{camera}: {err}")
 
     def test_a_camera_of_the_scene_gives_its_place_and_its_look(self):
@@ -178,12 +178,12 @@ class Fit(support.CommandTest):
         self.assertGreater(len(set(one)), 1)
 
     def test_mistakes(self):
-        render = ("render", "tiles.obj", "-o", "out.png", "--camera")
+        render = ("render", "tiles.obj", "-o", "out.exr", "--camera")
         self.refused(*render, "plan.cam:fixed", "--fit", code=1, says="no fit statement",
                      helps="fit (px, py, pz) = scene_inside")
         self.refused(*render, "plan.cam:plan", "--fit-to", "tyle", code=1,
                      says="no object 'tyle'", helps="did you mean 'tile'?")
-        self.refused("render", "tiles.obj", "-o", "out.png", "--fit", code=2,
+        self.refused("render", "tiles.obj", "-o", "out.exr", "--fit", code=2,
                      says="--fit needs a camera", helps="--camera")
         self.refused(*render, "scene:", "--fit", code=2, says="--fit needs a camera",
                      helps="--camera")
@@ -223,12 +223,12 @@ f 9 10 11
 class RaysThatStartInside(support.CommandTest):
     WARNING = "rays of camera 'rows' start in closed objects"
 
-    def told(self, camera, scene=BOX, *words):
+    def told(self, camera, scene=BOX, *words, output="out.exr"):
         (self.folder / "box.obj").write_text(scene)
         (self.folder / "rows.cam").write_text("camera rows {\n    map u = -4 .. 4, v = square\n"
                                               f"    eye {camera}\n    look along(x)\n}}\n")
         return self.run_command("render", "box.obj", "-c", "rows.cam", "--size", "64", "-s", "1",
-                                "-o", "out.png", *words)[1]
+                                "-o", output, *words)[1]
 
     def test_the_object_is_named_with_its_share(self):
         # The picture shows 8 by 4.5, the box is 2 by 2.
@@ -256,7 +256,8 @@ class RaysThatStartInside(support.CommandTest):
             words = ("--exposure", "0", "--no-dither", "--integrator", integrator, "--ambient", "1")
             pictures = []
             for x, *rule in ((1.5,), (0,), (0, "--inside", "pass")):
-                said = self.told(f"surface(u, v) = [{x}, u, v]", wall, *words, *rule)
+                said = self.told(f"surface(u, v) = [{x}, u, v]", wall, *words, *rule,
+                                 output="out.png")
                 pictures.append(support.png_pixels(self.folder / "out.png"))
             self.assertIn("pass through them: 11.1 % in 'box'", said)
             self.assertTrue(pictures[0] != pictures[1], integrator)
@@ -282,7 +283,7 @@ class FitInTheOpen(support.CommandTest):
                                              (box("cupboard", (-1, 0, -3), (1, 2, -1.6)), 1, 1.6)):
             (self.folder / "room.obj").write_text(room + furniture)
             facts = self.json_of("render", "room.obj", "-c", "superelliptic", "--size", "64", "-s", "1",
-                                 "-o", "p.png")
+                                 "-o", "p.exr")
             fitted = {one["name"]: one["value"] for one in facts["fitted"]}
             self.assertGreater(fitted["b"], smallest)
             self.assertLess(fitted["b"], largest)

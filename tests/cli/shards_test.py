@@ -53,23 +53,23 @@ class Shards(support.CommandTest):
                         (self.folder / name).unlink()
 
     def test_more_shards_than_tiles(self):
-        self.render("-o", "whole.png")
-        self.render_shards(9, "-o", "p.png")
-        self.run_command("merge", *self.shard_names("p.png", 9))
-        self.assertEqual(self.bytes_of("p.png"), self.bytes_of("whole.png"))
+        self.render("-o", "whole.exr")
+        self.render_shards(9, "-o", "p.exr")
+        self.run_command("merge", *self.shard_names("p.exr", 9))
+        self.assertEqual(self.bytes_of("p.exr"), self.bytes_of("whole.exr"))
 
     def test_a_missing_shard_is_named_and_can_be_rendered_alone(self):
-        self.render_shards(3, "-o", "p.png", leave_out=(2,))
-        names = self.shard_names("p.png", 3)
+        self.render_shards(3, "-o", "p.exr", leave_out=(2,))
+        names = self.shard_names("p.exr", 3)
         self.refused("merge", names[0], names[2], code=1, says="1 of 3 shards missing: 2/3",
                      helps="render with --shard 2/3")
-        self.assertFalse((self.folder / "p.png").exists())
-        self.render("--shard", "2/3", "-o", "p.png")
+        self.assertFalse((self.folder / "p.exr").exists())
+        self.render("--shard", "2/3", "-o", "p.exr")
         self.run_command("merge", *names)
 
     def test_damaged_shards(self):
-        self.render_shards(2, "-o", "p.png")
-        first, second = self.shard_names("p.png", 2)
+        self.render_shards(2, "-o", "p.exr")
+        first, second = self.shard_names("p.exr", 2)
         whole = self.bytes_of(second)
         for damaged in (b"", whole[:40], whole[:-1], whole + b"x",
                         whole[:-200] + bytes([whole[-200] ^ 1]) + whole[-199:],
@@ -84,26 +84,26 @@ class Shards(support.CommandTest):
         self.refused("merge", "nowhere", code=1, says="there is no file 'nowhere'")
 
     def test_shards_of_other_renders(self):
-        self.render("--shard", "1/2", "-o", "p.png")
-        first = "p.png.shard-1-of-2"
+        self.render("--shard", "1/2", "-o", "p.exr")
+        first = "p.exr.shard-1-of-2"
         for words, says in (((*self.SIZE[:3], "8"), "--samples was '4' and is '8'"),
                             (("--seed", "1"), "--seed was"),
                             (("--size", "150x71"), "--size was '150x70' and is '150x71'")):
             with self.subTest(words=words):
-                self.render("--shard", "2/2", "-o", "q.png", *words)
-                self.refused("merge", first, "q.png.shard-2-of-2", code=1, says=says,
+                self.render("--shard", "2/2", "-o", "q.exr", *words)
+                self.refused("merge", first, "q.exr.shard-2-of-2", code=1, says=says,
                              helps="merge the shards of one render")
-        self.render("--shard", "2/3", "-o", "q.png")
-        self.refused("merge", first, "q.png.shard-2-of-3", code=1, says="one is 1/2, the other 2/3")
+        self.render("--shard", "2/3", "-o", "q.exr")
+        self.refused("merge", first, "q.exr.shard-2-of-3", code=1, says="one is 1/2, the other 2/3")
         self.refused("merge", first, first, code=1, says="both are shard 1/2")
 
     def test_files_that_change_between_shards(self):
         camera = self.folder / "my.cam"
         camera.write_text(support.CAMERAS)
-        self.render("--shard", "1/2", "-o", "p.png", "--camera", "my.cam")
+        self.render("--shard", "1/2", "-o", "p.exr", "--camera", "my.cam")
         camera.write_text(support.CAMERAS + "// Another file.\n")
-        self.render("--shard", "2/2", "-o", "p.png", "--camera", "my.cam")
-        self.refused("merge", *self.shard_names("p.png", 2), code=1,
+        self.render("--shard", "2/2", "-o", "p.exr", "--camera", "my.cam")
+        self.refused("merge", *self.shard_names("p.exr", 2), code=1,
                      says="the file 'my.cam' has changed")
 
     def test_wrong_usage(self):
@@ -116,14 +116,14 @@ class Shards(support.CommandTest):
                      says="exclude each other")
 
     def test_an_unwritable_place(self):
-        self.render_shards(1, "-o", "p.png")
-        self.refused("merge", *self.shard_names("p.png", 1), "-o", "no/folder/p.png", code=3,
+        self.render_shards(1, "-o", "p.exr")
+        self.refused("merge", *self.shard_names("p.exr", 1), "-o", "no/folder/p.exr", code=3,
                      says="no/folder")
 
     def test_facts(self):
-        self.render_shards(2, "-o", "p.png")
-        facts = self.json_of("merge", *self.shard_names("p.png", 2))
-        self.assertEqual((facts["output"], facts["shards"], facts["width"]), ("p.png", 2, 150))
+        self.render_shards(2, "-o", "p.exr")
+        facts = self.json_of("merge", *self.shard_names("p.exr", 2))
+        self.assertEqual((facts["output"], facts["shards"], facts["width"]), ("p.exr", 2, 150))
 
 
 if __name__ == "__main__":

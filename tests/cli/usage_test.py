@@ -84,7 +84,7 @@ class WrongUsage(support.CommandTest):
 
     def test_arguments_that_are_values_of_an_option(self):
         for words, helps in ((("render", "scene.obj", "my.cam"), "--camera my.cam"),
-                             (("render", "scene.obj", "my.png"), "--output my.png"),
+                             (("render", "scene.obj", "my.exr"), "--output my.exr"),
                              (("render", "scene.obj", "gamma=1/2"), "--set gamma=1/2"),
                              (("render", "scene.obj", "-camera", "panorama"),
                               "--camera with two hyphens"),
@@ -110,35 +110,35 @@ class WrongUsage(support.CommandTest):
             self.assertEqual(len(document["diagnostics"]), 1)
 
     def test_the_last_of_an_option_counts(self):
-        words = ("--size", "7x7", "--size", "4x2", "-s", "9", "-s", "2", "-o", "a.png")
+        words = ("--size", "7x7", "--size", "4x2", "-s", "9", "-s", "2", "-o", "a.exr")
         facts = self.json_of("render", "scene.obj", *words)
         self.assertEqual((facts["width"], facts["height"], facts["passes"]), (4, 2, 2))
-        self.assertIn("a.png", self.files())
+        self.assertIn("a.exr", self.files())
 
     def test_options_as_others_call_them(self):
-        words = ("render", "scene.obj", "--resolution", "6x4", "--spp=2", "--draft", "--out", "a.png",
+        words = ("render", "scene.obj", "--resolution", "6x4", "--spp=2", "--draft", "--out", "a.exr",
                  "--transparent", "-c", "pinhole", "--fov", "40deg")
         facts = self.json_of(*words)
         self.assertEqual((facts["width"], facts["height"], facts["passes"]), (6, 4, 2))
         same = self.json_of("render", "scene.obj", "--size", "6x4", "-s", "2", "--integrator", "preview",
-                            "-o", "b.png", "--background", "transparent", "-c", "pinhole", "--set",
+                            "-o", "b.exr", "--background", "transparent", "-c", "pinhole", "--set",
                             "fov=40deg")
-        self.assertEqual((self.folder / "a.png").read_bytes(), (self.folder / "b.png").read_bytes())
+        self.assertEqual((self.folder / "a.exr").read_bytes(), (self.folder / "b.exr").read_bytes())
         self.assertEqual(same["passes"], 2)
         self.refused("render", "scene.obj", "--frame", "3", code=2, says="no option '--frame'",
                      helps="did you mean '--time'")
         self.refused("render", "scene.obj", "--hdri", "no.hdr", code=1, says="no.hdr")
 
     def test_two_words_for_a_size(self):
-        facts = self.json_of("render", "scene.obj", "--size", "6", "4", "-s", "1", "-o", "a.png")
+        facts = self.json_of("render", "scene.obj", "--size", "6", "4", "-s", "1", "-o", "a.exr")
         self.assertEqual((facts["width"], facts["height"]), (6, 4))
 
     def test_what_an_option_names_is_given_once(self):
         self.refused("render", "scene.obj", "-c", "panorama", "-c", "pinhole", code=2,
                      says="--camera is given twice: 'panorama' and 'pinhole'")
-        self.refused("render", "scene.obj", "-o", "a.png", "--output", "b.png", code=2,
+        self.refused("render", "scene.obj", "-o", "a.exr", "--output", "b.exr", code=2,
                      says="--output is given twice")
-        self.assertNotIn("a.png", self.files())
+        self.assertNotIn("a.exr", self.files())
 
     def test_films_are_no_pictures(self):
         for name in ("y.avi", "y.mp4", "Y.GIF"):
@@ -240,10 +240,10 @@ class Streams(support.CommandTest):
     def test_a_lost_reader_of_the_progress_does_not_end_a_render(self):
         reading, writing = os.pipe()
         os.close(reading)
-        self.run_command("render", "scene.obj", "--size", "600", "-s", "30", "-o", "a.png",
+        self.run_command("render", "scene.obj", "--size", "600", "-s", "30", "-o", "a.exr",
                          stderr=writing)
         os.close(writing)
-        self.assertIn("a.png", self.files())
+        self.assertIn("a.exr", self.files())
 
 
 if __name__ == "__main__":
