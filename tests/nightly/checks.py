@@ -1,0 +1,52 @@
+# Balcony: rendering through extended cameras.
+# SPDX-License-Identifier: Apache-2.0
+"""The table of the nightly checks: a new one is a row."""
+
+from dataclasses import dataclass
+from typing import Callable
+
+from coverage import branches
+from fuzzing import fuzzer
+from mutants import mutation
+from processes import kills, memory, valgrind
+from tools import Failure, random_tests, run, suites  # noqa: F401
+
+
+@dataclass(frozen=True)
+class Check:
+    """run(keep) returns the figures for the table or raises Failure. keep(part, make) is make(), whose
+    result is stored: after an interruption, the parts that have one are not made again."""
+
+    name: str
+    what: str
+    minutes: int  # The limit, with building.
+    run: Callable
+
+
+def plates(keep):
+    run("scripts/plates", "--quality", "good")
+    return "all plates"
+
+
+# What renders, reads scenes, searches or writes in parallel.
+THREADED = r"^((analyse|app|bridge|images|render|scene)\.|cli\.(animate|check|checkpoint|warp|watch)$)"
+
+CHECKS = (
+    Check("asan", "all suites with AddressSanitizer and UndefinedBehaviorSanitizer", 720,
+          suites("asan")),
+    Check("tsan", "suites that start threads with ThreadSanitizer", 720, suites("tsan", THREADED)),
+    Check("fuzz.camera", "camera files to compiled rays, fuzzed", 90, fuzzer("camera", 20)),
+    Check("fuzz.calibration", "calibrations to rays, fuzzed", 90, fuzzer("calibration", 20)),
+    Check("fuzz.scene", "glTF, OBJ, PLY, STL and images, fuzzed", 90, fuzzer("scene", 20)),
+    Check("mistakes", "each place of each camera file changed once", 240,
+          random_tests("OneMistake", BALCONY_MISTAKES_EVERY=1)),
+    Check("texts", "camera files changed at random", 240,
+          random_tests("Mutation", BALCONY_FUZZ_TEXTS=1_000_000)),
+    Check("plates", "the plates at good quality", 240, plates),
+    *(Check(f"mutation.{layer}", f"mutants of src/{layer}, of which its tests kill 90 %", 480,
+            mutation(layer, 30)) for layer in ("camera", "expr", "program", "rays", "lang")),
+    Check("coverage", "branches that the tests take", 360, branches),
+    Check("valgrind", "the first steps of the commands under valgrind", 60, valgrind),
+    Check("memory", "a process that renders 1,000 pictures does not grow", 60, memory(1000)),
+    Check("kills", "a render that is killed 500 times", 60, kills(500)),
+)

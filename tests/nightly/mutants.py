@@ -1,0 +1,135 @@
+# Balcony: rendering through extended cameras.
+# SPDX-License-Identifier: Apache-2.0
+"""Mutants: single operators and constants of a layer, changed in a copy of the sources. Its tests
+should notice. Which are tried depends on the seed and the sources alone."""
+
+import hashlib
+import os
+import random
+import re
+import subprocess
+
+from tools import CORES, FOLDER, REPOSITORY, Failure, run
+
+SEED = 1
+AIM = 0.9
+OPERATORS = {" + ": " - ", " - ": " + ", " * ": " / ", " / ": " * ", " < ": " <= ", " <= ": " < ",
+             " > ": " >= ", " >= ": " > ", " == ": " != ", " != ": " == ", " && ": " || ",
+             " || ": " && ", " += ": " -= ", " -= ": " += ", "++": "--", "std::min(": "std::max(",
+             "std::max(": "std::min(", "true": "false", "false": "true"}
+# A constant that is no part of a name, a type or another number.
+CONSTANT = re.compile(r"(?<![\w.'])\d+(?:\.\d+)?(?![\w.'])")
+OPERATOR = re.compile("|".join(re.escape(word) if not word.isalpha() else rf"\b{word}\b"
+                               for word in sorted(OPERATORS, key=len, reverse=True)))
+# What is no code, or is none that runs.
+PASSED_OVER = re.compile(r'//[^\n]*|/\*.*?\*/|R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|'
+                         r"'(?:\\.|[^'\\\n])'|^[ \t]*#[^\n]*|\bstatic_assert\([^;]*;|template <[^\n]*",
+                         re.DOTALL | re.MULTILINE)
+
+
+def changed(constant):
+    return "1" + constant[1:] if constant in ("0", "0.0") else str(
+        float(constant) + 1 if "." in constant else int(constant) + 1)
+
+
+def mutants_of(layer):
+    """All as (file, offset, before, after), in the order of files and offsets."""
+    for path in sorted((REPOSITORY / "src" / layer).rglob("*.[ch]pp")):
+        text = path.read_text()
+        code = PASSED_OVER.sub(lambda match: re.sub(r"[^\n]", " ", match[0]), text)
+        name = str(path.relative_to(REPOSITORY))
+        for match in OPERATOR.finditer(code):
+            yield name, match.start(), match[0], OPERATORS[match[0]]
+        for match in CONSTANT.finditer(code):
+            yield name, match.start(), match[0], changed(match[0])
+
+
+class Copy:
+    """A work tree of this commit with its own build of the tests of a layer."""
+
+    def __init__(self, layer):
+        self.tree = FOLDER / "mutants"
+        self.target = f"{layer}_test"
+        self.test = self.tree / "build/mutants/tests" / layer / self.target
+        if not self.tree.exists():
+            run("git", "worktree", "prune")
+            run("git", "worktree", "add", "--detach", self.tree, "HEAD")
+        run("git", "checkout", "--force", "--detach",
+            run("git", "rev-parse", "HEAD").strip(), cwd=self.tree)
+        # A mutant may leave a name unused.
+        run("cmake", "--preset", "ci", "-B", "build/mutants", "-DBALCONY_WERROR=OFF",
+            "-DBALCONY_BENCH=OFF", "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG", cwd=self.tree)
+        if not self.builds():
+            raise Failure("the tests do not build")
+        self.content = self.fingerprint()
+        began = os.times().elapsed
+        if not self.passes(3600):
+            raise Failure("the tests fail without a mutant")
+        self.limit = 10 + 10 * (os.times().elapsed - began)
+
+    def builds(self):
+        return subprocess.run(["cmake", "--build", "build/mutants", "-j", str(CORES), "--target",
+                               self.target], cwd=self.tree, stdout=subprocess.DEVNULL,
+                              check=False).returncode == 0
+
+    def fingerprint(self):
+        return hashlib.sha256(self.test.read_bytes()).hexdigest()
+
+    def passes(self, limit):
+        try:
+            return subprocess.run(["prlimit", "--as=8000000000", self.test, "--gtest_brief=1",
+                                   "--gtest_fail_fast"], cwd=self.tree,
+                                  stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                                  timeout=limit, check=False).returncode == 0
+        except subprocess.TimeoutExpired:
+            return False
+
+    def fate(self, mutant):
+        """killed, survived, or equal: it does not compile, or to the same program."""
+        name, offset, before, after = mutant
+        path = self.tree / name
+        text = path.read_text()
+        path.write_text(text[:offset] + after + text[offset + len(before):])
+        try:
+            if not self.builds() or self.fingerprint() == self.content:
+                return "equal"
+            return "survived" if self.passes(self.limit) else "killed"
+        finally:
+            path.write_text(text)
+
+
+def place(mutant):
+    name, offset, before, after = mutant
+    line = (REPOSITORY / name).read_text()[:offset].count("\n") + 1
+    return f"{name}:{line}: {before.strip()} becomes {after.strip()}"
+
+
+def mutation(layer, count):
+    """A check that tries so many mutants of a layer; each is a part."""
+
+    def check(keep):
+        order = list(mutants_of(layer))
+        random.Random(SEED).shuffle(order)
+        copy = None
+        fates = {}
+        for mutant in order:
+            if sum(fate != "equal" for fate in fates.values()) == count:
+                break
+
+            def try_it(mutant=mutant):
+                nonlocal copy
+                copy = copy or Copy(layer)
+                return copy.fate(mutant)
+
+            where = place(mutant)
+            # Several mutants of a line may read alike.
+            fates[where, mutant[1]] = keep(f"{where} ({mutant[1]})", try_it)
+        survivors = [where for (where, _), fate in fates.items() if fate == "survived"]
+        print(*survivors, sep="\n")
+        tried = sum(fate != "equal" for fate in fates.values())
+        says = f"{tried - len(survivors)} of {tried} killed"
+        if len(survivors) > (1 - AIM) * tried:
+            raise Failure(says)
+        return says
+
+    return check
