@@ -46,11 +46,11 @@ class EveryClass(support.CommandTest):
         (self.folder / "all.cam").write_text(CAMERA)
         for name in ("everything", "all"):
             document = self.json_of("render", "room.glb", "--camera", f"all.cam:{name}", "--size",
-                                    "64x36", "--samples", "2", "-o", f"{name}.png")
+                                    "64x36", "--samples", "2", "-o", f"{name}.exr")
             self.assertEqual(document["diagnostics"], [], name)
             self.assertGreater(document["rays"], 0)
             self.assertEqual(document["repaired"], 0)
-        self.assertIn("all.png", self.files())
+        self.assertIn("all.exr", self.files())
 
 
 if __name__ == "__main__":

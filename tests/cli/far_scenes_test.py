@@ -28,7 +28,7 @@ def gltf_text(node):
 class FarScenes(support.CommandTest):
     def survives(self, *words):
         """The command ends with a picture or with an error message."""
-        with self.start(*words, "--size", "32x32", "-s", "2", "-o", "p.png") as process:
+        with self.start(*words, "--size", "32x32", "-s", "2", "-o", "p.exr") as process:
             _, err = process.communicate(timeout=120)
         self.assertIn(process.returncode, (0, 1), err)
         self.assertEqual(process.returncode == 1, b"error: " in err, err)

@@ -52,24 +52,24 @@ class Interruption(support.CommandTest):
         self.assertEqual([name for name in self.files() if "partial" in name], [])
 
     def test_as_json(self):
-        process = self.start_long("-o", "p.png", "--json")
+        process = self.start_long("-o", "p.exr", "--json")
         process.send_signal(signal.SIGINT)
         _, out, _ = self.end(process)
         facts = support.json.loads(out)
-        self.assertEqual((facts["interrupted"], facts["output"]), (True, "p.png"))
+        self.assertEqual((facts["interrupted"], facts["output"]), (True, "p.exr"))
 
     def test_before_anything_is_rendered(self):
         # A scene that takes seconds to read.
         (self.folder / "slow.obj").write_text(support.OBJ + "f 5 6 7\n" * 6_000_000)
         for which in (signal.SIGINT, signal.SIGTERM):
-            process = self.start("render", "slow.obj", "-o", "p.png", *LONG[-2:])
+            process = self.start("render", "slow.obj", "-o", "p.exr", *LONG[-2:])
             self.wait_for_work(process, 0.5)
             process.send_signal(which)
             seconds, out, err = self.end(process)
             self.assertEqual(process.returncode, 130)
             self.assertEqual((out, err), ("", "error: interrupted\n"))
             self.assertLess(seconds, 1.0)
-        self.assertNotIn("p.png", self.files())
+        self.assertNotIn("p.exr", self.files())
 
     def test_analysis_of_a_camera(self):
         (self.folder / "many.cam").write_text(
@@ -111,19 +111,19 @@ class Interruption(support.CommandTest):
         self.assertEqual((self.folder / "p.png").read_bytes(), b"old")
 
     def test_killed(self):
-        (self.folder / "p.png").write_bytes(b"old")
+        (self.folder / "p.exr").write_bytes(b"old")
         before = self.files()
-        process = self.start_long("-o", "p.png")
+        process = self.start_long("-o", "p.exr")
         process.kill()
         self.end(process)
-        self.assertEqual((self.folder / "p.png").read_bytes(), b"old")
+        self.assertEqual((self.folder / "p.exr").read_bytes(), b"old")
         self.assertEqual(self.files(), before)
 
     def test_a_hang_up_that_is_ignored_stays_ignored(self):
         def ignore():
             signal.signal(signal.SIGHUP, signal.SIG_IGN)
 
-        process = self.start_long("-o", "p.png", preexec_fn=ignore)
+        process = self.start_long("-o", "p.exr", preexec_fn=ignore)
         process.send_signal(signal.SIGHUP)
         time.sleep(0.5)
         self.assertIsNone(process.poll())
@@ -133,7 +133,7 @@ class Interruption(support.CommandTest):
 
     def test_leaves_a_clean_line_on_a_terminal(self):
         screen, terminal = pty.openpty()
-        process = self.start_long("-o", "p.png", stdout=terminal, stderr=terminal,
+        process = self.start_long("-o", "p.exr", stdout=terminal, stderr=terminal,
                                   env={**os.environ, "TERM": "xterm"})
         os.close(terminal)
         process.send_signal(signal.SIGINT)

@@ -37,15 +37,15 @@ def sunny_scene():
 
 
 class Light(support.CommandTest):
-    def facts(self, *words, code=0, scene="scene.obj"):
+    def facts(self, *words, scene="scene.obj", output="p.exr"):
         out, _ = self.run_command("render", scene, "--size", "16x16", "--samples", "1",
-                                  "--integrator", "path", "-o", "p.png", "--json", *words, code=code)
+                                  "--integrator", "path", "-o", output, "--json", *words)
         return json.loads(out)
 
     def refuses(self, option, *values):
         for value in values:
             with self.subTest(option=option, value=value):
-                self.refused("render", "scene.obj", f"{option}={value}", "-o", "p.png", code=2,
+                self.refused("render", "scene.obj", f"{option}={value}", "-o", "p.exr", code=2,
                              says=option)
 
     def test_numbers_out_of_range(self):
@@ -98,7 +98,7 @@ class Light(support.CommandTest):
         info = self.run_command("info", "scene.obj")[0]
         self.assertIn("sky without sun", info)
         out, _ = self.run_command("render", "scene.obj", "--size", "8x8", "--integrator", "path",
-                                  "-o", "p.png")
+                                  "-o", "p.exr")
         self.assertIn("lit by a sky without sun", out)
 
     def test_a_scene_with_a_sun_has_a_sky_as_well(self):
@@ -127,9 +127,9 @@ class Light(support.CommandTest):
 
     def test_the_environment_is_the_background_unless_it_is_hidden(self):
         for words, share in (((), 1.0), (("--background", "auto"), 1.0)):
-            self.facts(*words)
+            self.facts(*words, output="p.png")
             self.assertEqual(share, support.opaque_share(self.folder / "p.png"))
-        self.facts("--background", "transparent", "--environment", "sky")
+        self.facts("--background", "transparent", "--environment", "sky", output="p.png")
         self.assertLess(support.opaque_share(self.folder / "p.png"), 1.0)
 
     def test_files(self):
@@ -138,15 +138,15 @@ class Light(support.CommandTest):
                            "--environment-strength", "2")
         self.assertIn("meadow.hdr", facts["light"])
         self.assertEqual([], facts["diagnostics"])
-        self.refused("render", "scene.obj", "--environment", "nowhere.hdr", "-o", "q.png", code=1,
+        self.refused("render", "scene.obj", "--environment", "nowhere.hdr", "-o", "q.exr", code=1,
                      says="nowhere.hdr")
-        (self.folder / "text.exr").write_bytes(b"no picture")
-        self.refused("render", "scene.obj", "--environment", "text.exr", "-o", "q.png", code=1,
-                     says="text.exr")
+        (self.folder / "text.png").write_bytes(b"no picture")
+        self.refused("render", "scene.obj", "--environment", "text.png", "-o", "q.exr", code=1,
+                     says="text.png")
         (self.folder / "black.hdr").write_bytes(hdr(4, 2, (0, 0, 0, 0)))
         facts = self.facts("--environment", "black.hdr")
         self.assertIn("black", facts["diagnostics"][0]["message"])
-        self.assertNotIn("q.png", self.files())
+        self.assertNotIn("q.exr", self.files())
 
 
 if __name__ == "__main__":

@@ -32,10 +32,10 @@ class NoFiles(support.CommandTest):
         for _ in self.named("x.mtl"):
             _, err = self.run_command("render", "x.obj", *SMALL)
             self.assertIn("material library skipped: 'x.mtl' is ", err)
-        (self.folder / "x.mtl").write_text("newmtl m\nmap_Kd x.png\n")
-        for _ in self.named("x.png"):
+        (self.folder / "x.mtl").write_text("newmtl m\nmap_Kd x.exr\n")
+        for _ in self.named("x.exr"):
             _, err = self.run_command("render", "x.obj", *SMALL)
-            self.assertIn("material 'm': its texture is skipped: 'x.png' is ", err)
+            self.assertIn("material 'm': its texture is skipped: 'x.exr' is ", err)
 
     def test_environments(self):
         for _ in self.named("x.exr"):

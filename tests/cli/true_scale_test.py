@@ -193,7 +193,7 @@ class TrueScale(support.CommandTest):
         dark = [row[round(middles[0])] < 128 for row in rows]
         self.assertAlmostEqual(sum(dark), 0.1 * height, delta=1)
         (self.folder / "none.cam").write_text("picture none { layer panorama { scale_bar(1) } }\n")
-        self.refused("render", "scene.obj", "--camera", "none.cam", "-o", "out.png", code=1,
+        self.refused("render", "scene.obj", "--camera", "none.cam", "-o", "out.exr", code=1,
                      says="no scale", helps="aspect (WIDTH, HEIGHT)")
         text, _ = self.run_command("explain", "sheet.cam")
         self.assertIn("scale_bar_coverage", text)
