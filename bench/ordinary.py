@@ -1,16 +1,17 @@
 #!/usr/bin/env python3
 # Balcony: rendering through extended cameras.
 # SPDX-License-Identifier: Apache-2.0
-"""Writes eight ordinary scenes whose light is hard to find, and renders them.
+"""Writes ten ordinary scenes whose light is hard to find, and renders them.
 
 Usage: ordinary.py BALCONY FOLDER [PLACE ...] [--samples COUNT] [--size WxH]
 
-Mirrors, glass, brass, tiles, window panes, lamps under shades, a car: small lamps and suns that are
-seen in smooth surfaces make bright specks in the light that walls scatter. The script prints the
+Mirrors, glass, brass, tiles, window panes, lamps under shades, a car, a temple, a street: small lamps and suns
+that are seen in smooth surfaces make bright specks in the light that walls scatter. The script prints the
 specks of a picture as rendered, and those with --exact: pixels that a display shows brighter than
 the median of the 7 x 7 around them, by 60 of 255. Borders of lamps and windows count in both.
 """
 import argparse
+import math
 import pathlib
 import statistics
 import subprocess
@@ -61,6 +62,13 @@ class Place(Glb):
                                   ((x, b, c), (w, 0, 0), (0, 0, -d)),
                                   ((x, y, z), (w, 0, 0), (0, 0, d))):
             self.mesh(name, quad(corner, along, up), material)
+
+    def column(self, x, z, radius, low, high, material):
+        sides = 24
+        corners = [(x + radius * math.cos(2 * math.pi * i / sides),
+                    z - radius * math.sin(2 * math.pi * i / sides)) for i in range(sides + 1)]
+        for (a, b), (c, d) in zip(corners, corners[1:]):
+            self.mesh("column", quad((a, low, b), (c - a, 0, d - b), (0, high - low, 0)), material)
 
     def room(self, window=False, walls=None):
         """4 x 3 x 4 metres around the origin; the window is in the wall at -z."""
@@ -164,10 +172,52 @@ def car():
     return place
 
 
+def temple():
+    place = Place()
+    marble = place.material("marble", (0.8, 0.77, 0.7))
+    polished = place.material("polished", (0.6, 0.6, 0.58), roughness=0.02)
+    place.mesh("ground", quad((-40, -0.3, 40), (80, 0, 0), (0, 0, -80)), place.wood)
+    place.box("floor", (-3, -0.3, -6), (3, 0, 3), polished)
+    place.box("roof", (-3, 3, -6), (3, 3.5, 3), marble)
+    place.box("cella", (-1.2, 0, -6), (1.2, 3, -3.5), marble)
+    for z in (-5.5, -4, -2.5, -1, 0.5, 2):
+        for x in (-2.6, 2.6):
+            place.column(x, z, 0.25, 0, 3, marble)
+    place.mesh("bowl", sphere((0, 0.5, -1.5), 0.35, 48), place.brass)
+    place.sun(20000.0)
+    return place
+
+
+def street():
+    place = Place()
+    asphalt = place.material("asphalt", (0.1, 0.1, 0.1), roughness=0.5)
+    plaster = place.material("plaster", (0.7, 0.6, 0.45))
+    shop = place.material("shop", (0.3, 0.25, 0.2))
+    place.mesh("ground", quad((-40, 0, 40), (80, 0, 0), (0, 0, -80)), asphalt)
+    for side in (-1, 1):
+        for i in range(6):
+            z = 10 - 4 * i
+            low, high = sorted((side * 3.5, side * 7))
+            place.box("house", (low, 0, z - 3.8), (high, 5 + i % 2, z), plaster)
+            for y in (1, 3):
+                place.mesh("window", quad((side * 3.48, y, z - 1.3 + side * 0.6),
+                                          (0, 0, -1.2 * side), (0, 1.2, 0)), place.pane)
+                place.mesh("behind", quad((side * 3.49, y, z - 1.3 + side * 0.6),
+                                          (0, 0, -1.2 * side), (0, 1.2, 0)), shop)
+        place.box("post", (side * 2.5 - 0.05, 0, -1.05), (side * 2.5 + 0.05, 2.2, -0.95), shop)
+        place.bulb((side * 2.5, 2.4, -1.0), 0.08, 2e5)
+        place.mesh("globe", sphere((side * 2.5, 2.4, -1.0), 0.16, 32), place.pane)
+    place.box("car", (0.4, 0.3, -4.5), (1.9, 1.3, -1.5), place.mirror)
+    place.sun(20000.0)
+    return place
+
+
 SKY = ("--environment", "sky", "--environment-strength", "0.003")
 PLACES = {"mirror": (mirror, ()), "solid-glass": (solid_glass, ()), "thin-glass": (thin_glass, SKY),
           "brass": (brass, SKY), "bathroom": (bathroom, ()), "panes": (panes, SKY),
-          "shade": (shade, ()), "car": (car, ())}
+          "shade": (shade, ()), "car": (car, ()), "temple": (temple, ()),
+          "street": (street, (*SKY[:3], "0.15"))}
+SUNLIT = {"car": "0.0001", "temple": "0.0003", "street": "0.0001"}  # Of white in the display.
 VIEW = ("-c", "panorama", "--set", "px=0.2", "--set", "py=-0.7", "--set", "pz=1.4")
 
 
@@ -177,7 +227,7 @@ def shown(balcony, scene, picture, options, more):
                     str(options.samples), "--exposure", "0", "-o", picture, "-q", *more],
                    check=True, stderr=subprocess.DEVNULL)
     raw = picture.with_suffix(".ppm")
-    scale = "0.0001" if picture.stem.startswith("car") else "0.25"
+    scale = SUNLIT.get(picture.stem.removesuffix("-exact"), "0.25")
     subprocess.run(["oiiotool", picture, "--ch", "R,G,B", "--mulc", scale, "--colorconvert",
                     "linear", "sRGB", "-d", "uint8", "-o", raw], check=True)
     _, size, _, data = raw.read_bytes().split(b"\n", 3)
