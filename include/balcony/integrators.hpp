@@ -49,8 +49,9 @@ struct PathSettings {
     /// Before the picture, rays find where the light of environments and suns enters the rooms that
     /// it shows, so that this light is sampled there, with less noise and the same mean.
     bool probes_windows = true;
-    /// Otherwise, mirrors and glass that are seen by light which a surface has scattered are
-    /// blurred, less from pass to pass, so that lamps in them do not make bright specks.
+    /// Otherwise, bright specks are kept down: mirrors and glass that are seen by light which a
+    /// surface has scattered are blurred, less from pass to pass; and what a path finds at once of
+    /// indirect light is limited, less from pass to pass, to a multiple of the light around.
     bool exact = false;
     /// The largest contribution of indirect light to a sample, in each channel; 0 is no limit. A
     /// limit removes bright specks, and with them some of the light.

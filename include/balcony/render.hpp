@@ -208,6 +208,7 @@ struct RayCounts {
     std::uint64_t hits = 0;          ///< Rays that meet a surface.
     double light = 0.0;              ///< The sum of their luminances.
     double softened_light = 0.0;     ///< Of that, what PathSettings::exact would show sharp.
+    double light_left_out = 0.0;     ///< Not of that: what limits of indirect light have cost.
 
     void add(const RayCounts& other) {
         camera_rays += other.camera_rays;
@@ -215,10 +216,15 @@ struct RayCounts {
         hits += other.hits;
         light += other.light;
         softened_light += other.softened_light;
+        light_left_out += other.light_left_out;
     }
     /// The part of the light that mirrors and glass have softened.
     [[nodiscard]] double softened_share() const {
         return light > 0.0 ? softened_light / light : 0.0;
+    }
+    /// The part of all light that was found that limits have left out.
+    [[nodiscard]] double share_left_out() const {
+        return light_left_out > 0.0 ? light_left_out / (light + light_left_out) : 0.0;
     }
 };
 

@@ -102,16 +102,17 @@ Options<Settings> integrator_options() {
                  const std::string word = word_of(settings.path.bounces);
                  return std::vector{word == word_of(BounceLimits{}) ? "auto" : word};
              }),
-         option({.name = "--clamp",
-                 .placeholder = "RADIANCE",
-                 .meaning = "the largest indirect light of a sample (path), against bright "
-                            "specks; 0 is no limit"},
-                radiance, &Settings::path, &PathSettings::clamp_indirect),
+         option(
+             {.name = "--clamp",
+              .placeholder = "RADIANCE",
+              .meaning = "the largest indirect light of a sample (path), where rare light is not "
+                         "limited to less anyway; 0 is no such limit"},
+             radiance, &Settings::path, &PathSettings::clamp_indirect),
          flag({.name = "--exact",
                .others = {"--unbiased", "--no-filter-glossy"},
-               .meaning = "do not blur mirrors and glass that are seen by scattered light (path): "
-                          "sharp caustics, which appear as bright specks until many samples are "
-                          "taken"},
+               .meaning = "do not blur mirrors and glass that are seen by scattered light, and do "
+                          "not limit rare indirect light (path): sharp caustics, which appear as "
+                          "bright specks until many samples are taken"},
               true, &Settings::path, &PathSettings::exact),
          flag({.name = "--no-path-reuse",
                .meaning = "neighbouring pixels do not share the light that their paths find "

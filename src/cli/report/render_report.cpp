@@ -17,6 +17,9 @@ namespace balcony::cli {
 
 namespace {
 
+// A part as JSON has it.
+double rounded(double part) { return std::round(1e4 * part) / 1e4; }
+
 nlohmann::json layers_json(const render::Summary& summary) {
     nlohmann::json layers = nlohmann::json::array();
     for (const render::Summary::Layer& layer : summary.layers) {
@@ -24,7 +27,8 @@ nlohmann::json layers_json(const render::Summary& summary) {
                           {"rays", layer.camera_rays},
                           {"invalid_rays", layer.invalid_rays},
                           {"hits", layer.hits},
-                          {"softened_light", std::round(1e4 * layer.softened_share()) / 1e4}});
+                          {"softened_light", rounded(layer.softened_share())},
+                          {"left_out", rounded(layer.share_left_out())}});
     }
     return layers;
 }
@@ -39,19 +43,27 @@ std::string layers_text(const render::Summary& summary) {
     return summary.layers.size() > 1 ? text : "";
 }
 
-// What is blurred against specks, where it is noticeable.
-std::string softened_text(const render::Summary& summary) {
+// What is blurred or left out against specks, where it is noticeable.
+std::string specks_text(const render::Summary& summary) {
     constexpr double noticeable = 0.005;
     render::RayCounts all;
     for (const render::Summary::Layer& layer : summary.layers) {
         all.add(layer);
     }
-    return all.softened_share() < noticeable
-               ? std::string()
-               : fmt::format(
-                     "  {:.1f} % of the light is from mirrors and glass that are softened "
-                     "against specks; --exact keeps them sharp\n",
-                     100.0 * all.softened_share());
+    std::string text;
+    if (all.softened_share() >= noticeable) {
+        text += fmt::format(
+            "  {:.1f} % of the light is from mirrors and glass that are softened against specks; "
+            "--exact keeps them sharp\n",
+            100.0 * all.softened_share());
+    }
+    if (all.share_left_out() >= noticeable) {
+        text += fmt::format(
+            "  {:.1f} % of the light is left out against specks; --exact without --clamp keeps "
+            "it\n",
+            100.0 * all.share_left_out());
+    }
+    return text;
 }
 
 double shown_value(const lang::FittedParameter& parameter) {
@@ -211,7 +223,7 @@ std::string text_of(const app::Report& report, const app::Request& request) {
                             *pixel * static_cast<double>(report.width),
                             *pixel * static_cast<double>(report.height));
     }
-    text += layers_text(summary) + softened_text(summary) + fitted_text(report.fitted) +
+    text += layers_text(summary) + specks_text(summary) + fitted_text(report.fitted) +
             preparation_text(report);
     if (report.denoised) {
         text += fmt::format("  denoised by {} in {:.1f} s\n", report.denoised->used,

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -26,6 +27,7 @@ struct Seen {
     Color4f mirrored{0.0F};  ///< The factors of the background in mirrors, by colour.
     LightParts parts;        ///< Of the radiance.
     float softened = 0.0F;   ///< The luminance that came by way of softened mirrors or glass.
+    float left_out = 0.0F;   ///< The luminance that limits have left out.
     VisibleSurface visible;
     VisibleSurface shown;  ///< The same, or what a mirror or clear glass shows instead of itself.
     Coverage coverage;     ///< Of all that is seen directly.
@@ -38,6 +40,8 @@ struct CameraRay {
     Sampler sampler;
     std::uint32_t packet = 0;  ///< Rays of a packet are neighbours in the picture, and in a batch.
     std::uint32_t group = 0;   ///< The paths of a group may share what they find.
+    /// Of what a path finds at once of indirect light, in each channel.
+    float limit = std::numeric_limits<float>::infinity();
 };
 
 /// The differentials of packets of camera rays, which are computed on request.

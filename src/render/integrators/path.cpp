@@ -396,6 +396,9 @@ void PathTracer::turn(Path& path, std::size_t lane, const BsdfSample& sample) {
     if (textured_) {
         path.ray.differentials = after_sample(path.ray, at.moved, sample, footprint_scale_);
     }
+    if (!path.is_clear) {
+        ++path.scattered;
+    }
     path.from = block_.point(lane);
     path.transmittance = 1.0F;
     path.absorbed = 0.0F;

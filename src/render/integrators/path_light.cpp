@@ -12,6 +12,7 @@ namespace balcony::render {
 
 void PathLight::begin(std::span<const CameraRay> rays, std::span<Seen> seen) {
     std::fill(seen.begin(), seen.end(), Seen{});
+    rays_ = rays;
     seen_ = seen;
     guided_.clear();
     if (shares_) {
@@ -20,27 +21,32 @@ void PathLight::begin(std::span<const CameraRay> rays, std::span<Seen> seen) {
 }
 
 void PathLight::add(const Path& path, const Color3f& light) {
-    add(path.part, path.index, light, path.bounces.all, path.is_softened);
+    add(path.part, path.index, light, {path.bounces.all, path.scattered > 1, path.is_softened});
 }
 
-void PathLight::add(Part part, std::uint32_t index, const Color3f& light, std::size_t bounces,
-                    bool softened) {
+void PathLight::add(Part part, std::uint32_t index, const Color3f& light, const Way& way) {
     switch (part) {
         case Part::tail: tails_.tail(index).lamp.radiance += light; break;
         case Part::onward: tails_.tail(index).onward.radiance += light; break;
         case Part::guided:
             guided_[index].light += light;
-            guided_[index].is_softened |= softened;
+            guided_[index].is_softened |= way.softened;
             return;
-        default: add_scattered(seen_[index], light, bounces, softened); return;
+        default: add_scattered(index, light, way); return;
     }
-    tails_.tail(index).is_softened |= softened;
+    tails_.tail(index).is_softened |= way.softened;
 }
 
 void PathLight::add(const Path& path, const embree::Ray& shadow_ray, const Color3f& light,
                     const Path* guided) {
-    ShadowedLight one{shadow_ray, light,           path.index, path.packet, path.bounces.all == 0,
-                      path.part,  path.is_softened};
+    ShadowedLight one{.ray = shadow_ray,
+                      .light = light,
+                      .index = path.index,
+                      .packet = path.packet,
+                      .direct = path.bounces.all == 0,
+                      .part = path.part,
+                      .softened = path.is_softened,
+                      .indirect = path.scattered > 0};
     if (guided != nullptr) {
         one.guided = static_cast<std::uint32_t>(waiting_.size());
         waiting_.push_back(*guided);
@@ -48,14 +54,17 @@ void PathLight::add(const Path& path, const embree::Ray& shadow_ray, const Color
     shadow_rays_.add(one);
 }
 
-void PathLight::add_scattered(Seen& seen, const Color3f& light, std::size_t bounces,
-                              bool softened) const {
-    const Color3f added = bounces > 1 ? limited(light, settings_->clamp_indirect) : light;
-    seen.softened += softened ? luminance(added) : 0.0F;
+void PathLight::add_scattered(std::uint32_t index, const Color3f& light, const Way& way) const {
+    constexpr float none = std::numeric_limits<float>::infinity();
+    const Color3f added = limited(
+        light, std::min(way.bounces > 1 ? clamp_ : none, way.indirect ? rays_[index].limit : none));
+    Seen& seen = seen_[index];
+    seen.left_out += luminance(light) - luminance(added);
+    seen.softened += way.softened ? luminance(added) : 0.0F;
     seen.radiance += Color4f(added.x, added.y, added.z, 0.0F);
-    if (bounces == 0) {
+    if (way.bounces == 0) {
         seen.parts.emission += added;
-    } else if (bounces == 1) {
+    } else if (way.bounces == 1) {
         seen.parts.direct += added;
     }
 }
@@ -71,7 +80,8 @@ Color3f PathLight::received(const Path& path, const ArrivingLight& lamp) {
 void PathLight::trace_shadow_rays(const SceneTracer& tracer, PathBatch& paths) {
     shadow_rays_.trace(tracer, [&](const ShadowedLight& one, const Color3f& transmittance) {
         if (!is_black(transmittance)) {
-            add(one.part, one.index, transmittance * one.light, one.direct ? 1 : 2, one.softened);
+            add(one.part, one.index, transmittance * one.light,
+                {one.direct ? 1U : 2U, one.indirect, one.softened});
         } else if (one.guided != ShadowedLight::none && tracer.passes_glass(one.ray)) {
             start(waiting_[one.guided], paths);
         }
@@ -96,10 +106,9 @@ void PathLight::end_head(PathBlock& block, std::size_t lane) {
         return;
     }
     const Bounces& bounces = path.bounces;
-    const BounceLimits& limits = settings_->bounces;
     path.part = Part::whole;
-    if (!is_black(path.absorption) || bounces.all >= limits.all ||
-        bounces.diffuse >= limits.diffuse || bounces.glossy >= limits.glossy) {
+    if (!is_black(path.absorption) || bounces.all >= bounces_.all ||
+        bounces.diffuse >= bounces_.diffuse || bounces.glossy >= bounces_.glossy) {
         return;
     }
     const Surface& surface = block.at(lane).surface;
@@ -108,7 +117,8 @@ void PathLight::end_head(PathBlock& block, std::size_t lane) {
                                  .start = surface.start_to_light(),
                                  .throughput = path.throughput,
                                  .time = path.ray.time,
-                                 .bounces = bounces});
+                                 .bounces = bounces,
+                                 .is_clear = path.is_clear});
     path.part = Part::between;
 }
 
@@ -152,10 +162,10 @@ void PathLight::go_on_from_tail(Path& path, const BsdfSample& sample) {
 
 void PathLight::finish(const SceneTracer& tracer) {
     for (const Guided& one : guided_) {
-        add(one.part, one.index, one.light, 2, one.is_softened);
+        add(one.part, one.index, one.light, {2, true, one.is_softened});
     }
     if (shares_) {
-        tails_.add_light(tracer, settings_->clamp_indirect, seen_);
+        tails_.add_light(tracer, clamp_, rays_, seen_);
     }
 }
 

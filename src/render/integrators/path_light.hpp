@@ -11,6 +11,7 @@
 // the surface by the others, and multiple importance sampling (Veach 1997) weighs both.
 
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -25,11 +26,13 @@ namespace balcony::render {
 
 class PathLight {
 public:
-    /// The settings must outlive it.
     PathLight(const TracedScene& traced, const PathSettings& settings)
-        : settings_(&settings), shares_(SharedTails::can_share(traced, settings)) {}
+        : bounces_(settings.bounces),
+          clamp_(settings.clamp_indirect > 0.0F ? settings.clamp_indirect
+                                                : std::numeric_limits<float>::infinity()),
+          shares_(SharedTails::can_share(traced, settings)) {}
 
-    /// Of the paths of these rays.
+    /// Of the paths of these rays, which must stay until the end.
     void begin(std::span<const CameraRay> rays, std::span<Seen> seen);
     [[nodiscard]] Part first_part() const { return shares_ ? Part::head : Part::whole; }
     /// The result of a path that is not a guided one.
@@ -66,14 +69,22 @@ private:
         bool is_softened = false;
     };
 
-    void add(Part part, std::uint32_t index, const Color3f& light, std::size_t bounces,
-             bool softened);
-    void add_scattered(Seen& seen, const Color3f& light, std::size_t bounces, bool softened) const;
+    // How light has come to the camera.
+    struct Way {
+        std::size_t bounces;
+        bool indirect;  // To the first surface that is not clear by way of another.
+        bool softened;
+    };
+
+    void add(Part part, std::uint32_t index, const Color3f& light, const Way& way);
+    void add_scattered(std::uint32_t index, const Color3f& light, const Way& way) const;
     void start(Path& guided, PathBatch& paths);
     void go_on_from_tail(Path& path, const BsdfSample& sample);
 
-    const PathSettings* settings_;
+    BounceLimits bounces_;
+    float clamp_;
     bool shares_;
+    std::span<const CameraRay> rays_;
     std::span<Seen> seen_;
     ShadowRays shadow_rays_;
     SharedTails tails_;

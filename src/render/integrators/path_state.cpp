@@ -45,7 +45,7 @@ void count_bounce(Path& path, BsdfLobe lobe, const BounceLimits& limits) {
 }
 
 Color3f limited(const Color3f& light, float limit) {
-    return limit > 0.0F && largest(light) > limit ? light * (limit / largest(light)) : light;
+    return largest(light) > limit ? light * (limit / largest(light)) : light;
 }
 
 float survival(const Color3f& throughput) { return std::min(1.0F, std::sqrt(largest(throughput))); }

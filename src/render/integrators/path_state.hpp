@@ -48,10 +48,11 @@ struct Path {
     float pdf = 0.0F;
     /// Of the surfaces to come: where light has been scattered, a lamp in a mirror is softened.
     float least_roughness = 0.0F;
-    bool is_softened = false;  ///< Such a surface was rougher than it is.
-    bool is_clear = true;      ///< Only mirrors and clear glass have scattered its light.
-    Color3f absorption{0.0F};  ///< Of what the ray passes, per scene unit.
-    float absorbed = 0.0F;     ///< The length from there up to which light has been absorbed.
+    bool is_softened = false;    ///< Such a surface was rougher than it is.
+    bool is_clear = true;        ///< Only mirrors and clear glass have scattered its light.
+    std::uint8_t scattered = 0;  ///< How often it was scattered from the first other surface on.
+    Color3f absorption{0.0F};    ///< Of what the ray passes, per scene unit.
+    float absorbed = 0.0F;       ///< The length from there up to which light has been absorbed.
     Sampler sampler;
     std::uint32_t index = 0;   ///< Of its result.
     std::uint32_t packet = 0;  ///< Of its camera ray.
@@ -82,7 +83,7 @@ void absorb(Path& path, const V3f& position);
 /// that it meets, for which sampling the lamps has left a part.
 void count_bounce(Path& path, BsdfLobe lobe, const BounceLimits& limits);
 
-/// Light, or as much of it that its largest channel is the limit. 0 is no limit.
+/// Light, or as much of it that its largest channel is the limit.
 [[nodiscard]] Color3f limited(const Color3f& light, float limit);
 
 /// The probability with which Russian roulette lets a path with this throughput go on. The root of

@@ -26,6 +26,7 @@ struct ShadowedLight {
     bool direct = false;          ///< The light is scattered once.
     Part part = Part::whole;      ///< Of the path.
     bool softened = false;        ///< Likewise.
+    bool indirect = false;        ///< It comes to the first surface that is not clear by another.
     std::uint32_t guided = none;  ///< The path that starts if glass is in the way.
 
     static constexpr std::uint32_t none = 0xffffffffU;

@@ -75,11 +75,13 @@ void SharedTails::set_tail(const Path& path, const PlainMaterial& material,
     }
 }
 
-void SharedTails::add_light(const SceneTracer& tracer, float limit, std::span<Seen> seen) {
+void SharedTails::add_light(const SceneTracer& tracer, float clamp, std::span<const CameraRay> rays,
+                            std::span<Seen> seen) {
     constexpr std::uint32_t bucket_count = 512;
     order_.resize(ends_.size());
     for (std::uint32_t i = 0; i < order_.size(); ++i) {
         order_[i] = i;
+        limit_tail(i, rays[i].limit, seen[i]);
     }
     counting_sort<bucket_count>(order_, buffer_, [&](std::uint32_t i) { return ends_[i].group; });
     for (std::size_t begin = 0; begin < order_.size();) {
@@ -91,11 +93,33 @@ void SharedTails::add_light(const SceneTracer& tracer, float limit, std::span<Se
         const Indices group = std::span(order_).subspan(begin, end - begin);
         share(group, tracer);
         for (std::size_t lane = 0; lane < group.size(); ++lane) {
-            const Color3f light = limited(lanes_.light.of(lane), limit);
-            seen[group[lane]].radiance += Color4f(light.x, light.y, light.z, 0.0F);
-            seen[group[lane]].softened += std::min(lanes_.softened[lane], luminance(light));
+            const std::uint32_t path = group[lane];
+            if (ends_[path].head == none) {
+                continue;
+            }
+            const Color3f found = lanes_.light.of(lane);
+            const Color3f light =
+                limited(found, head_of(path).is_clear ? clamp : std::min(clamp, rays[path].limit));
+            Seen& to = seen[path];
+            to.radiance += Color4f(light.x, light.y, light.z, 0.0F);
+            to.softened += std::min(lanes_.softened[lane], luminance(light));
+            to.left_out += luminance(found) - luminance(light);
         }
         begin = end;
+    }
+}
+
+// What a clear head shows is limited at its tail, where the light of lamps is direct light.
+void SharedTails::limit_tail(std::uint32_t path, float limit, Seen& seen) {
+    if (ends_[path].tail == none || !head_of(path).is_clear) {
+        return;
+    }
+    ArrivingLight& light = tail(path).onward;
+    const Color3f own = tail(path).throughput * light.reflected * light.radiance;
+    if (largest(own) > limit) {
+        const float part = limit / largest(own);
+        light.radiance *= part;
+        seen.left_out += (1.0F - part) * luminance(own);
     }
 }
 

@@ -40,6 +40,7 @@ struct Head {
     Color3f throughput;  ///< Of the path up to the surface.
     float time = 0.0F;   ///< Only heads of the same time
     Bounces bounces;     ///< and the same numbers of bounces share their tails.
+    bool is_clear;       ///< The surface shows others, in focus, instead of itself.
 };
 
 /// Light that arrives at a tail.
@@ -84,9 +85,10 @@ public:
     void set_tail(const Path& path, const PlainMaterial& material, const Surface& surface);
     [[nodiscard]] Tail& tail(std::uint32_t path) { return tails_[ends_[path].tail]; }
 
-    /// Adds the light of all tails to the heads of their groups. `limit` is
-    /// PathSettings::clamp_indirect.
-    void add_light(const SceneTracer& tracer, float limit, std::span<Seen> seen);
+    /// Adds the light of all tails to the heads of their groups, limited by `clamp` and as the rays
+    /// of the heads say.
+    void add_light(const SceneTracer& tracer, float clamp, std::span<const CameraRay> rays,
+                   std::span<Seen> seen);
 
 private:
     static constexpr std::size_t group_size = PixelGroups::size;
@@ -116,6 +118,7 @@ private:
         plain_lanes::Values from_lamp, from_onward;
     };
 
+    void limit_tail(std::uint32_t path, float limit, Seen& seen);
     void share(Indices group, const SceneTracer& tracer);
     void gather(Indices group);
     [[nodiscard]] LaneBits like(Indices group, std::size_t own) const;

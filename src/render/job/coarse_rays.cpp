@@ -26,6 +26,15 @@ rays::Tile coarse_grid(const Film& film, double time) {
     return coarse_grid(film.width, film.height, 2048.0, time);
 }
 
+DifferentialRay coarse_ray(const TracedScene& traced, const rays::Tile& grid, const TileRays& rays,
+                           std::size_t i) {
+    DifferentialRay ray{V3f(rays.all.origin(i)), V3f(rays.all.direction(i)), {}, rays.time_of(i)};
+    if (traced.materials.has_textures()) {
+        ray.differentials = differentials(rays.all, i, grid.step);
+    }
+    return ray;
+}
+
 void for_each_coarse_ray(const TracedScene& traced, PictureRays& all, const Film& film, double time,
                          const std::function<void(const DifferentialRay&)>& visit) {
     const rays::Tile grid = coarse_grid(film, time);
@@ -36,12 +45,7 @@ void for_each_coarse_ray(const TracedScene& traced, PictureRays& all, const Film
             if (!traceable(found.all, i)) {
                 continue;
             }
-            DifferentialRay ray{
-                V3f(found.all.origin(i)), V3f(found.all.direction(i)), {}, found.time_of(i)};
-            if (traced.materials.has_textures()) {
-                ray.differentials = differentials(found.all, i, grid.step);
-            }
-            visit(ray);
+            visit(coarse_ray(traced, grid, found, i));
         }
     }
 }

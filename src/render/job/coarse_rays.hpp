@@ -18,8 +18,12 @@ namespace balcony::render {
 /// About 2048 points of the whole picture, whatever the film's window.
 [[nodiscard]] rays::Tile coarse_grid(const Film& film, double time);
 
-/// Visits the rays of each camera layer at these points. They have footprints if the scene has
+/// The ray of a point of such a grid, which can be traced. It has a footprint if the scene has
 /// textures.
+[[nodiscard]] DifferentialRay coarse_ray(const TracedScene& traced, const rays::Tile& grid,
+                                         const TileRays& rays, std::size_t i);
+
+/// Visits these rays of each camera layer.
 void for_each_coarse_ray(const TracedScene& traced, PictureRays& rays, const Film& film,
                          double time, const std::function<void(const DifferentialRay&)>& visit);
 

@@ -148,6 +148,9 @@ void choose_light(JobParts& parts, PictureRays& rays, const Film& film,
             parts.traced.lights = parts.traced.lights.with(
                 distant_visibility(parts.traced, rays, film, settings, stop));
         }
+        if (!settings.path.exact) {
+            parts.levels = LightLevels(parts.traced, settings, *parts.integrator, rays, film, stop);
+        }
     } else if (!settings.ambient) {
         settings.ambient = ambient_of(parts.traced, rays, film, settings.time);
     }

@@ -23,6 +23,7 @@ using Mask = std::vector<std::uint8_t>;
 
 /// The rays of one camera layer at the points of a tile.
 struct TileRays {
+    std::size_t layer = 0;
     rays::RayBatch all;
     scene::TimeInterval interval{};  ///< Of the times of rays.
     float time = 0.0F;               ///< Of rays without times of their own, as time_of().

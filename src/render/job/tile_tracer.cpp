@@ -52,8 +52,9 @@ LaneBits lanes_within(const Region& region, std::size_t x, std::size_t y) {
 }  // namespace
 
 TileTracer::TileTracer(const TracedScene& traced, const Settings& settings,
-                       const IntegratorRow& integrator)
+                       const IntegratorRow& integrator, const LightLevels& levels)
     : traced_(&traced),
+      levels_(&levels),
       // Many samples share the filtering; pbrt limits the reduction in the same way.
       footprint_scale_(std::max(0.125, 1.0 / std::sqrt(static_cast<double>(settings.samples)))),
       integrator_(integrator.make(traced, settings)),
@@ -139,6 +140,7 @@ void TileTracer::trace(const TilePoints& points, const TileRays& rays, const Mas
             seen.radiance = Color4f(0.0F);
             seen.parts = {};
             seen.softened = 0.0F;
+            seen.left_out = 0.0F;
             seen.coverage = {};
         }
     }
@@ -162,7 +164,8 @@ void TileTracer::request(const TilePoints& points, const TileRays& rays, const S
         const DifferentialRay ray{V3f(rays.all.origin(i)), V3f(rays.all.direction(i)),
                                   differentials_.of(lane), packet.time[lane]};
         indices_.push_back(i);
-        requested_.push_back({ray, packet.hit(lane), sampler, number, groups.of(x, y)});
+        requested_.push_back({ray, packet.hit(lane), sampler, number, groups.of(x, y),
+                              levels_->limit(rays.layer, x, y, points.pass)});
     });
 }
 

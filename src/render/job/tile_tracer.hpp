@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "render/integrators/integrator.hpp"
+#include "render/job/light_levels.hpp"
 #include "render/job/picture_rays.hpp"
 #include "render/sampling/pixel_groups.hpp"
 
@@ -32,8 +33,9 @@ struct TilePoints {
 /// Traces rays; belongs to one thread.
 class TileTracer {
 public:
-    TileTracer(const TracedScene& traced, const Settings& settings,
-               const IntegratorRow& integrator);
+    /// The scene, settings and levels must outlive it.
+    TileTracer(const TracedScene& traced, const Settings& settings, const IntegratorRow& integrator,
+               const LightLevels& levels);
 
     /// Calls show(i, seen) with the result of each requested ray i that can be traced. Radiance
     /// that is not finite is replaced by black.
@@ -71,6 +73,7 @@ private:
                  const embree::Packet& packet, std::uint32_t number, const PixelGroups& groups);
 
     const TracedScene* traced_;
+    const LightLevels* levels_;
     double footprint_scale_;
     std::unique_ptr<Integrator> integrator_;
     LightTracer* light_tracer_;

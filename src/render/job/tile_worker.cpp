@@ -53,7 +53,7 @@ TileWorker::TileWorker(const JobParts& parts, const PictureInputs& inputs, Film&
       film_(&film),
       filter_(find_pixel_filter(parts.settings.sampling.filter)),
       compositor_(parts.picture, PictureRays(parts.picture, parts.traced.interval, inputs),
-                  TileTracer(parts.traced, parts.settings, *parts.integrator)) {}
+                  TileTracer(parts.traced, parts.settings, *parts.integrator, parts.levels)) {}
 
 bool TileWorker::render(std::size_t tile) {
     const Stopwatch watch;

@@ -39,6 +39,7 @@ struct JobParts {
     std::string light{};                          ///< As Summary::light.
     std::optional<SubstituteLight> substitute{};  ///< As Summary::substitute.
     std::shared_ptr<const FrameMotion> motion{};  ///< Null if the film has no such layer.
+    LightLevels levels{};
     double compile_seconds = 0.0;
 };
 
