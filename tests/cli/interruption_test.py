@@ -17,9 +17,9 @@ LONG = ("render", "scene.obj", "-c", "my.cam:above", "--size", "600x400", "-s", 
 class Interruption(support.CommandTest):
     def start_long(self, *words, **how):
         """A render that traces rays already, however busy the machine is: reading the scene takes
-        far less than a second of a processor."""
+        far less of a processor's time."""
         process = self.start(*LONG, *words, **how)
-        self.wait_for_work(process, 1.5)
+        self.wait_for_work(process, 3.0 if "BALCONY_SANITIZED" in os.environ else 0.7)
         return process
 
     def wait_for_work(self, process, wanted):
