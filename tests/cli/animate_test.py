@@ -240,7 +240,7 @@ class Resuming(AnimationTest):
                      says="'f.#.exr.animation' is damaged", helps="--overwrite")
 
     def interrupted(self, kill, code):
-        words = self.words("--frames", "1-6", "-o", "f.#.exr", "--samples", "400",
+        words = self.words("--frames", "1-6", "-o", "f.#.exr", "--samples", "150",
                            "--checkpoint-every", "0.05")
         with self.start(*words) as process:
             while process.poll() is None and not (self.folder / "f.2.exr").exists():
@@ -250,7 +250,7 @@ class Resuming(AnimationTest):
         self.assertEqual(process.returncode, code, err)
         self.assertFalse((self.folder / "f.6.exr").exists(), "it was too fast")
         self.run_command(*words)
-        self.run_command(*self.words("--frames", "1-6", "-o", "w.#.exr", "--samples", "400"))
+        self.run_command(*self.words("--frames", "1-6", "-o", "w.#.exr", "--samples", "150"))
         for frame in range(1, 7):
             self.assertEqual(self.bytes_of(f"f.{frame}.exr"), self.bytes_of(f"w.{frame}.exr"))
         self.assertEqual([name for name in self.files() if "checkpoint" in name], [])
