@@ -23,9 +23,9 @@ import tempfile
 from pathlib import Path
 
 import numpy as np
-import OpenImageIO as oiio
 
 from flip import flip
+from pictures import boxes, light
 
 ROOT = Path(__file__).resolve().parent.parent
 BOXES = (1, 2, 4, 8, 16)
@@ -53,18 +53,9 @@ def render(balcony, scene, samples, output, *more):
                     "-o", output, "--quiet", *more], check=True)
 
 
-def light(file, layer=""):
-    image = oiio.ImageBuf(str(file))
-    names = list(image.spec().channelnames)
-    pixels = image.get_pixels(oiio.FLOAT)
-    return np.stack([pixels[:, :, names.index(layer + c)] for c in "RGB"], axis=2).astype(float)
-
-
-def shown(image, exposure, box=1):
+def shown(picture, exposure, box=1):
     """What a display shows of means over boxes, linear."""
-    height, width = (side // box * box for side in image.shape[:2])
-    boxes = image[:height, :width].reshape(height // box, box, width // box, box, 3)
-    return np.clip(boxes.mean(axis=(1, 3)) * 2 ** exposure, 0, 1)
+    return np.clip(boxes(picture, box) * 2 ** exposure, 0, 1)
 
 
 def errors(picture, truth, exposure):

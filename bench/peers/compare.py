@@ -23,19 +23,18 @@ import sys
 import tempfile
 from pathlib import Path
 
+import numpy as np
+
 from scenes import SCENES, write
 
 HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent))
+from pictures import boxes, light  # noqa: E402
+
 BOXES = (1, 4, 16)
 SAMPLES = 64  # Of Cycles, whose time is the time of all.
 BALCONY = {"without path reuse": ("--exact", "--no-path-reuse"), "--exact": ("--exact",),
            "as it comes": (), "--denoise": ("--denoise", "--denoiser", "features")}
-
-
-def read(file):
-    import OpenImageIO as oiio
-    image = oiio.ImageBuf(str(file))
-    return image.get_pixels(oiio.FLOAT)[:, :, :3].astype("float64")
 
 
 class Bench:
@@ -90,23 +89,15 @@ class Bench:
         return many * self.width * self.height / seconds
 
 
-def boxes(picture, side):
-    height, width = (length // side * side for length in picture.shape[:2])
-    return picture[:height, :width].reshape(height // side, side, width // side, side, 3).mean(
-        axis=(1, 3))
-
-
 def rms(picture, truth):
     """Relative to the mean, of the darker 99.9 % so that a few fireflies do not decide."""
-    import numpy as np
     squares = np.sort(((picture - truth) ** 2).mean(axis=2).ravel())
     return float(np.sqrt(squares[:max(1, int(len(squares) * 0.999))].mean()) / truth.mean())
 
 
 def specks(picture, truth):
-    import numpy as np
-    light, expected = picture.mean(axis=2), truth.mean(axis=2)
-    return int((light > np.maximum(20 * np.median(expected), 2 * expected)).sum())
+    found, expected = picture.mean(axis=2), truth.mean(axis=2)
+    return int((found > np.maximum(20 * np.median(expected), 2 * expected)).sum())
 
 
 def quality(picture, truth):
@@ -135,7 +126,7 @@ def compare(bench):
             bench.balcony(options.samples, files[0], "--exact", seed=1)
         if not files[1].exists():
             bench.cycles([options.samples], files[1], seed=1)
-        truth = [read(file) for file in files]
+        truth = [light(file) for file in files]
 
     def row(renderer, speed, render, truth_index):
         samples = max(1, round(SAMPLES * speed / reference))
@@ -143,7 +134,7 @@ def compare(bench):
         if truth:
             file = folder / f"{name}-{renderer.replace(' ', '-')}.exr"
             render(samples, file)
-            line += f" {samples:8} {quality(read(file), truth[truth_index])}"
+            line += f" {samples:8} {quality(light(file), truth[truth_index])}"
         print(line, flush=True)
 
     reference = bench.cycles_speed(False)
