@@ -106,6 +106,12 @@ struct Moments {
     }
 };
 
+/// The light of a pixel in the first of two halves of its samples.
+struct HalfSum {
+    V3f first{0.0F};  ///< The sum over that half.
+    V3f even{0.0F};   ///< The sum over all, up to the last power of two below their number.
+};
+
 /// The shares of a pixel that the most visible objects (or materials) cover.
 struct Matte {
     struct Entry {
@@ -131,10 +137,8 @@ struct MeanLayers {
     std::vector<Moments> position;
     std::vector<Matte> objects;
     std::vector<Matte> materials;
-    /// Sums of direct and of indirect light over the first half of the samples: up to the last
-    /// power of two below their number.
-    std::vector<V3f> direct_half;
-    std::vector<V3f> indirect_half;
+    std::vector<HalfSum> direct_half;
+    std::vector<HalfSum> indirect_half;
 
     [[nodiscard]] bool any() const {
         return !(emission.empty() && direct.empty() && albedo.empty() && normal.empty() &&

@@ -152,7 +152,7 @@ void add_direct(Film& film, std::size_t i, double light, int sample) {
     film.sum[i] += Color4d(light, light, light, 0.0);
     film.means.direct[i] += V3d(light);
     if (sample < 8) {  // Of 16.
-        film.means.direct_half[i] += V3f(static_cast<float>(light));
+        film.means.direct_half[i].first += V3f(static_cast<float>(light));
     }
 }
 
@@ -255,7 +255,7 @@ TEST(Denoise, LeavesTheBackgroundBlack) {
             const double part = x == 40 ? 0.1 : 0.0;
             film.sum[i] *= part;
             film.means.direct[i] *= part;
-            for (V3f* value : {&film.means.direct_half[i], &film.means.albedo[i].mean,
+            for (V3f* value : {&film.means.direct_half[i].first, &film.means.albedo[i].mean,
                                &film.means.normal[i].mean, &film.means.position[i].mean}) {
                 *value *= static_cast<float>(part);
             }

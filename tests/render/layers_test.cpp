@@ -240,18 +240,20 @@ TEST(MeanLayers, VarianceIsThatOfThePicture) {
     EXPECT_EQ(variance[2], 0.0F);
 }
 
-// Of four or three samples, the first half is that of a film with two.
+// The first half is what a film with so many samples has.
 TEST(MeanLayers, HalvesAreTheFirstSamples) {
     const auto direct = [](std::size_t samples, LayerId id) {
         const Film film =
             lamp_and_wall(with_layers(request(16, 16, "path", samples), all_layers())).film;
         return read(film, id, 12, 5)[1];
     };
-    const float first = direct(2, LayerId::direct);
-    EXPECT_NE(first, direct(4, LayerId::direct));
-    EXPECT_NEAR(direct(4, LayerId::direct_half), first, 1e-6F);
-    EXPECT_NEAR(direct(3, LayerId::direct_half), first, 1e-6F);
-    EXPECT_NEAR(direct(4, LayerId::indirect_half), 0.0F, 1e-6F);
+    for (const auto& [samples, half] : std::map<std::size_t, std::size_t>{
+             {2, 1}, {3, 2}, {4, 2}, {5, 2}, {6, 4}, {8, 4}, {9, 4}, {11, 4}, {12, 8}, {16, 8}}) {
+        const float first = direct(half, LayerId::direct);
+        EXPECT_NE(first, direct(samples, LayerId::direct)) << samples;
+        EXPECT_NEAR(direct(samples, LayerId::direct_half), first, 1e-6F) << samples;
+        EXPECT_NEAR(direct(samples, LayerId::indirect_half), 0.0F, 1e-6F);
+    }
 }
 
 // ------------------------------------------------------------------------------- magnification

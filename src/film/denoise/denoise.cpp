@@ -98,13 +98,13 @@ std::array<Plane, 3> means_of(const Film& film, const std::vector<Moments>& mome
 
 // The means of both halves of the samples, from the sums of the first one and of all.
 template <class SumOf>
-Halves halves_of(const Film& film, const std::vector<V3f>& first_half, const SumOf& sum_of) {
+Halves halves_of(const Film& film, const std::vector<HalfSum>& half_sums, const SumOf& sum_of) {
     Halves halves;
     halves.fill(Plane(film.window.size()));
     for_each_pixel_of(film, [&](std::size_t x, std::size_t y, std::size_t i) {
         const std::uint32_t samples = film.samples(x, y);
         const std::uint32_t first = first_half_of(samples);
-        const V3d sum_of_first(first_half[i]);
+        const V3d sum_of_first(half_sums[i].first);
         const V3f mean_of_first(sum_of_first / first);
         const V3f mean_of_rest((sum_of(i) - sum_of_first) / (samples - first));
         for (int c = 0; c < 3; ++c) {

@@ -67,15 +67,24 @@ constexpr LayerRow values(const LayerInfo& info) {
             }};
 }
 
-constexpr std::uint32_t all_of(std::uint32_t samples) { return samples; }
-
-// The same with sums over the samples, of which `counted` are in the sums.
-template <auto Member, std::uint32_t (*counted)(std::uint32_t samples) = all_of>
+// The same with sums over the samples.
+template <auto Member>
 constexpr LayerRow sums(const LayerInfo& info) {
     return {info, allocate<Member>, complete<Member>,
             [](const Film& film, std::size_t x, std::size_t y, float* channels) {
-                const std::uint32_t samples = counted(std::max(film.samples(x, y), 1U));
-                put(V3f(V3d((*vector_of(film, Member))[film.index(x, y)]) / samples), channels);
+                const std::uint32_t samples = std::max(film.samples(x, y), 1U);
+                put(V3f((*vector_of(film, Member))[film.index(x, y)] / samples), channels);
+            }};
+}
+
+// The same with sums over the first half of the samples.
+template <auto Member>
+constexpr LayerRow halves(const LayerInfo& info) {
+    return {info, allocate<Member>, complete<Member>,
+            [](const Film& film, std::size_t x, std::size_t y, float* channels) {
+                const std::uint32_t samples = first_half_of(std::max(film.samples(x, y), 1U));
+                put(V3f(V3d((*vector_of(film, Member))[film.index(x, y)].first) / samples),
+                    channels);
             }};
 }
 
@@ -231,13 +240,13 @@ constexpr std::array rows{
               "the other light: several surfaces reflect or refract it, or it is ambient light",
               mean, false, 0, 1, LayerSet{emission, direct}},
              read_indirect),
-    sums<&MeanLayers::direct_half, first_half_of>({direct_half, "direct_half", "RGB",
-                                                   "`direct` of the first half of the samples, "
-                                                   "whose difference from `direct` tells its noise",
-                                                   mean, false, 12, 1, LayerSet{direct}}),
-    sums<&MeanLayers::indirect_half, first_half_of>({indirect_half, "indirect_half", "RGB",
-                                                     "the same for `indirect`", mean, false, 12, 1,
-                                                     LayerSet{emission, direct}}),
+    halves<&MeanLayers::direct_half>({direct_half, "direct_half", "RGB",
+                                      "`direct` of the first half of the samples, "
+                                      "whose difference from `direct` tells its noise",
+                                      mean, false, 24, 1, LayerSet{direct}}),
+    halves<&MeanLayers::indirect_half>({indirect_half, "indirect_half", "RGB",
+                                        "the same for `indirect`", mean, false, 24, 1,
+                                        LayerSet{emission, direct}}),
     values<&MeanLayers::albedo>({mean_albedo, "mean_albedo", "RGB",
                                  "base colour, averaged, as denoisers expect it", mean, false, 24}),
     values<&MeanLayers::normal>({mean_normal, "mean_normal", "XYZ",

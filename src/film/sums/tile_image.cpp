@@ -37,14 +37,13 @@ void write_data(DataLayers& layers, std::size_t at, const PointData& data) {
     }
 }
 
-// Keeps the light of the first half of the samples, after which the second one begins.
-void keep_half(Film& film, std::size_t at) {
+void keep_halves(Film& film, std::size_t at, std::uint32_t index) {
     MeanLayers& means = film.means;
     if (!means.direct_half.empty()) {
-        means.direct_half[at] = V3f(means.direct[at]);
+        keep_half(means.direct_half[at], index, means.direct[at]);
     }
     if (!means.indirect_half.empty()) {
-        means.indirect_half[at] = V3f(indirect_sum(film, at));
+        keep_half(means.indirect_half[at], index, indirect_sum(film, at));
     }
 }
 
@@ -130,9 +129,7 @@ void add_pass(Film& film, std::size_t tile, const TileImage& image) {
     if (!image.contributions.empty()) {
         const std::uint32_t count = film.passes[tile] + 1;
         for_each_sample([&](std::size_t i, std::size_t at) {
-            if (first_half_of(count) == count - 1) {
-                keep_half(film, at);
-            }
+            keep_halves(film, at, count - 1);
             add_means(film.means, at, count, image.contributions[i]);
         });
     }
