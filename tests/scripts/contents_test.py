@@ -1,0 +1,61 @@
+# Balcony: rendering through extended cameras.
+# SPDX-License-Identifier: Apache-2.0
+"""packaging/list_contents.py prints an SPDX document of what travels with a program."""
+
+import json
+import re
+import subprocess
+import sys
+import unittest
+from pathlib import Path
+
+REPOSITORY = Path(sys.argv.pop(1)).resolve()
+
+
+class Contents(unittest.TestCase):
+    def run_with(self, *libraries):
+        return subprocess.run([sys.executable, "-B", REPOSITORY / "packaging" / "list_contents.py",
+                               "1.2.3", "86400", *libraries],
+                              capture_output=True, text=True, check=False)
+
+    def setUp(self):
+        linked = subprocess.run(["ldd", "/bin/sh"], capture_output=True, text=True, check=True)
+        run = self.run_with(*re.findall(r"=> (/\S+)", linked.stdout))
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.document = json.loads(run.stdout)
+        self.packages = {part["name"]: part for part in self.document["packages"]}
+
+    def test_what_notice_names_is_listed(self):
+        notice = (REPOSITORY / "NOTICE").read_text()
+        for name in set(re.findall(r" (lib[a-z0-9-]+-dev|nlohmann\S+) ", notice)) - {"libgtest-dev"}:
+            self.assertRegex(self.packages[name]["licenseDeclared"],
+                             r"^[A-Z][A-Za-z0-9.-]+( AND [A-Z][A-Za-z0-9.-]+)?$")
+        self.assertEqual(self.packages["libopenimageio-dev"]["licenseDeclared"],
+                         "BSD-3-Clause AND Apache-2.0")
+        self.assertEqual(self.packages["libfmt-dev"]["licenseDeclared"], "MIT")
+        self.assertNotIn("libgtest-dev", self.packages)
+
+    def test_packages_of_libraries_are_listed(self):
+        libc = self.packages["libc6"]
+        self.assertRegex(libc["versionInfo"], r"^2\.\d+")
+        self.assertEqual(libc["licenseDeclared"], "NOASSERTION")
+        self.assertRegex(libc["downloadLocation"], r"/glibc/2\.\d+\S*/$")
+
+    def test_a_library_of_no_package(self):
+        run = self.run_with(__file__)
+        self.assertEqual((run.returncode, run.stdout), (1, ""))
+        self.assertIn("contents_test.py belongs to no Debian package", run.stderr)
+
+    def test_form(self):
+        names = [part["SPDXID"] for part in self.document["packages"]]
+        self.assertEqual(len(names), len(set(names)))
+        for name in names:
+            self.assertRegex(name, r"^SPDXRef-[A-Za-z0-9.-]+$")
+        for relation in self.document["relationships"]:
+            self.assertIn(relation["relatedSpdxElement"], names)
+        self.assertEqual(self.document["creationInfo"]["created"], "1970-01-02T00:00:00Z")
+        self.assertEqual(self.packages["balcony"]["versionInfo"], "1.2.3")
+
+
+if __name__ == "__main__":
+    unittest.main()
