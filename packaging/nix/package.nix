@@ -1,0 +1,22 @@
+# Untested; see packaging/README.md.
+{ lib, stdenv, cmake, ninja, cli11, eigen, embree, fmt, imath, libhwy, nlohmann_json, openexr
+, openimageio, proj, sleef, tbb, yaml-cpp }:
+
+stdenv.mkDerivation {
+  pname = "balcony";
+  version = "0.1.0";
+  src = lib.cleanSource ../..;
+
+  nativeBuildInputs = [ cmake ninja ];
+  buildInputs = [
+    cli11 eigen embree fmt imath libhwy nlohmann_json openexr openimageio proj sleef tbb yaml-cpp
+  ];
+  cmakeFlags = [ "-DBUILD_TESTING=OFF" "-DBALCONY_BENCH=OFF" ];
+
+  meta = {
+    description = "Rendering through extended cameras";
+    license = lib.licenses.asl20;
+    mainProgram = "balcony";
+    platforms = lib.platforms.linux;
+  };
+}
