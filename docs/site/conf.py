@@ -29,7 +29,8 @@ extensions = ["myst_parser"]
 myst_enable_extensions = ["html_image"]
 myst_heading_anchors = 4
 root_doc = "README"
-include_patterns = ["README.md", "CHANGELOG.md", "docs/**.md", "editors/README.md"]
+include_patterns = ["README.md", "CHANGELOG.md", "docs/**.md", "editors/README.md",
+                    "packaging/README.md"]
 exclude_patterns = ["build", "docs/site", "out"]
 
 # What Pygments calls the scopes of a camera file, by the beginning of a scope.
@@ -72,7 +73,8 @@ def side_bar(page):
         sections = re.findall(r"^## (.*)\n((?:(?!## ).*\n)*)", text, re.MULTILINE)
         lists = [contents(caption, [f"docs/{name}" for name in listed(rows)])
                  for caption, rows in sections]
-        return "".join([*lists, contents("More", ["docs/README", "editors/README", "CHANGELOG"])])
+        return "".join([*lists, contents("More", ["docs/README", "editors/README", "packaging/README",
+                                                   "CHANGELOG"])])
     if page == "docs/stages/README":
         text = (REPOSITORY / "docs/stages/README.md").read_text(encoding="utf-8")
         return contents("Stages", listed(text))
