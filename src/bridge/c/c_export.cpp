@@ -8,6 +8,7 @@
 #include <optional>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "bridge/c/inverse_text.hpp"
 #include "bridge/text/targets.hpp"

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "bridge/pov_functions/function_chain.hpp"
 #include "bridge/pov_functions/spline_table.hpp"

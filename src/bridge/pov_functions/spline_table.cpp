@@ -7,6 +7,7 @@
 #include <array>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace balcony::bridge {
 

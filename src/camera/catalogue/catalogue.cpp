@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "balcony/make_stage.hpp"
 #include "camera/catalogue/families.hpp"

@@ -9,6 +9,7 @@
 #include <span>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "balcony/make_stage.hpp"
 #include "balcony/names.hpp"

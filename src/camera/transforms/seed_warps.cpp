@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "camera/catalogue/families.hpp"
 #include "camera/transforms/offset_stages.hpp"

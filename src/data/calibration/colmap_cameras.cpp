@@ -8,6 +8,7 @@
 #include <array>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "balcony/names.hpp"
 #include "data/calibration/calibration.hpp"

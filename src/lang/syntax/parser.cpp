@@ -9,6 +9,7 @@
 #include <set>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "lang/syntax/expression_parser.hpp"
 #include "lang/syntax/meant_words.hpp"

@@ -12,6 +12,7 @@
 #include <set>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "balcony/catalogue.hpp"
 #include "lang/build/layers.hpp"
