@@ -19,6 +19,8 @@ html_title = project
 html_theme = "furo"
 highlight_language = "none"
 html_copy_source = False
+# OpenCV's "%YAML:1.0" is no YAML of the standard.
+suppress_warnings = ["misc.highlighting_failure"]
 html_static_path = ["static"]
 html_css_files = ["pairs.css"]
 html_js_files = ["pairs.js"]
