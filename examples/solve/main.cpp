@@ -24,10 +24,10 @@ int main() {
     }
     // The facade is 8 m wide and 6 m high, and the ground is 1.6 m below the camera.
     problem.marks = {{{20, 4, -1.6}}, {{20, -4, -1.6}}, {{20, 4, 4.4}}, {{20, -4, 4.4}}};
-    problem.constraints = {{solve::ConstraintKind::at, {0}, {160, 380}},
-                           {solve::ConstraintKind::at, {1}, {480, 370}},
-                           {solve::ConstraintKind::at, {2}, {172, 140}},
-                           {solve::ConstraintKind::upright, {1, 3}}};
+    problem.constraints = {{solve::ConstraintKind::at, {0}, {155, 347}},
+                           {solve::ConstraintKind::at, {1}, {446, 346}},
+                           {solve::ConstraintKind::at, {2}, {158, 129}},
+                           {solve::ConstraintKind::inside, {3}}};
     const auto found = solve::solve(photo->camera, 640, 480, problem);
     if (!found) {
         std::fputs(to_text(found.diagnostics).c_str(), stderr);
