@@ -5,9 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
-#include "analyse/inverse/approach.hpp"
+#include "rays/approach.hpp"
 #include "solve/pose.hpp"
 #include "solve/sighting_misses.hpp"
 
@@ -15,8 +16,8 @@ namespace balcony::solve {
 
 namespace {
 
-using analyse::Approach;
 using Eigen::Index;
+using rays::Approach;
 
 constexpr std::size_t pose_size = 6;
 

@@ -6,10 +6,12 @@
 
 #include <vector>
 
-#include "analyse/inverse/approach.hpp"
 #include "analyse/inverse/point_rays.hpp"
+#include "rays/approach.hpp"
 
 namespace balcony::analyse {
+
+using rays::Approach;
 
 /// A rectangle of the picture with the ray at its centre.
 struct RayPatch {

@@ -4,9 +4,9 @@
 
 // How a ray passes a point, and how this changes with the picture position.
 
-#include "analyse/measure/ray_field.hpp"
+#include "balcony/rays.hpp"
 
-namespace balcony::analyse {
+namespace balcony::rays {
 
 /// The offset of the point from the nearest point of the ray, and the derivatives with respect to
 /// picture x and y of that nearest point; all perpendicular to the ray.
@@ -48,4 +48,4 @@ struct Approach {
     }
 };
 
-}  // namespace balcony::analyse
+}  // namespace balcony::rays
