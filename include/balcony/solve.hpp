@@ -14,10 +14,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <Imath/ImathVec.h>
@@ -103,9 +103,6 @@ struct ConstraintKindInfo {
     std::string_view name;
     std::string_view meaning;
     std::size_t marks;  ///< How many it takes; 0 if it is about a position.
-    bool has_position;
-    bool has_value;
-    std::string_view unit;  ///< Of what it misses.
 };
 [[nodiscard]] const std::vector<ConstraintKindInfo>& constraint_kinds();
 

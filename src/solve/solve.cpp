@@ -4,12 +4,14 @@
 #include "balcony/solve.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "balcony/inverse.hpp"
 #include "balcony/progress.hpp"
 #include "solve/problem_check.hpp"
 #include "solve/system.hpp"
