@@ -14,6 +14,7 @@
 
 #include "balcony/inverse.hpp"
 #include "balcony/lang.hpp"
+#include "balcony/ray_roots.hpp"
 #include "bench_case.hpp"
 
 namespace balcony::bench {
@@ -32,9 +33,8 @@ constexpr int inverse_passes = 5;
 std::vector<V3d> points_seen(const camera::Camera& camera, double width, double height) {
     expr::Graph graph;
     const auto ray = camera.emit(graph, width, height);
-    const std::vector<expr::Expr> roots{ray.origin.x,    ray.origin.y,    ray.origin.z,
-                                        ray.direction.x, ray.direction.y, ray.direction.z,
-                                        ray.valid};
+    const Axes axes = camera.parts().axes;
+    const std::vector<expr::Expr> roots = rays::ray_roots(ray, false, false, axes, axes);
     std::mt19937_64 random(1996);
     std::uniform_real_distribution<double> unit(0.0, 1.0);
     std::vector<std::array<V3d, 2>> rays;

@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 
 #include "balcony/lang.hpp"
+#include "balcony/ray_roots.hpp"
 #include "bench_case.hpp"
 
 namespace balcony::bench {
@@ -49,9 +50,8 @@ solve::Problem problem_of(const lang::OpenCamera& camera, std::size_t marks) {
     solve::Problem problem;
     expr::Graph graph;
     const auto ray = camera.camera.emit(graph, solved_size.x, solved_size.y);
-    const std::vector<expr::Expr> roots{ray.origin.x,    ray.origin.y,    ray.origin.z,
-                                        ray.direction.x, ray.direction.y, ray.direction.z,
-                                        ray.valid};
+    const Axes axes = camera.camera.parts().axes;
+    const std::vector<expr::Expr> roots = rays::ray_roots(ray, false, false, axes, axes);
     std::vector<std::string> names;
     for (const lang::OpenParameter& parameter : camera.open) {
         problem.unknowns.push_back(
