@@ -67,9 +67,8 @@ void look_along(std::size_t row, const rays::Tile& grid, const TileRays& rays,
     }
 }
 
-// Of 5 x 5 points around each one, so large a sample that four of the points have one. Outliers are
-// rarer; the light of whatever reflects more than about a hundredth of the light is none. In the
-// dark, a part of the mean of all.
+// Around each point, the largest value that a sample has at one in six of the 5 x 5 points: about
+// one sample in a hundred is brighter. In the dark, a part of the mean of all.
 std::vector<float> common_largest(const std::vector<Found>& found, const rays::Tile& grid) {
     constexpr std::size_t reach = 2;
     constexpr std::size_t one_of = 6;

@@ -27,7 +27,7 @@ public:
                 const std::stop_token& stop);
 
     /// CameraRay::limit in a pixel of a camera layer. It grows with the passes, so that the light
-    /// that it leaves out goes to nothing; divided by the number of samples, it does not.
+    /// that it leaves out goes to nothing.
     [[nodiscard]] float limit(std::size_t layer, std::size_t x, std::size_t y,
                               std::size_t pass) const;
 
