@@ -158,7 +158,9 @@ def main():
                 stopped = True
                 break
     print(table(chosen))
-    return 130 if stopped else 0 if all(Record(check.name, at).facts.get("result") == "passed" for check in chosen) else 1
+    if stopped:
+        return 130
+    return 0 if all(Record(one.name, at).facts.get("result") == "passed" for one in chosen) else 1
 
 
 if __name__ == "__main__":
