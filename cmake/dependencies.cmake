@@ -2,13 +2,18 @@
 # scripts/packages.txt lists the Debian packages.
 list(APPEND CMAKE_MODULE_PATH "${CMAKE_CURRENT_LIST_DIR}")
 
-# Embree's package file refuses every request for another major version, so none is requested.
-find_package(embree QUIET)
-if(NOT embree_FOUND OR embree_VERSION VERSION_LESS 3.13 OR embree_VERSION VERSION_GREATER_EQUAL 5)
-    message(FATAL_ERROR "Embree 4, or 3.13 or later, is needed, but found is: '${embree_VERSION}'. Install "
-        "libembree-dev or your system's package of Embree, or set embree_DIR to where its "
-        "embree-config.cmake is.")
-endif()
+# balcony_find(NAME FIRST END PACKAGE): finds a version from FIRST to before END. The package files of
+# these libraries refuse every request for another major version, so none is requested.
+macro(balcony_find name first end package)
+    find_package(${name} QUIET)
+    if(NOT ${name}_FOUND OR ${name}_VERSION VERSION_LESS ${first} OR ${name}_VERSION VERSION_GREATER_EQUAL ${end})
+        message(FATAL_ERROR "${name} ${first} or later, before ${end}, is needed, but found is: "
+            "'${${name}_VERSION}'. Install ${package} or your system's package of it, or set ${name}_DIR to "
+            "the folder of its CMake package.")
+    endif()
+endmacro()
+
+balcony_find(embree 3.13 5 libembree-dev)
 set(BALCONY_EMBREE_VERSION ${embree_VERSION})
 target_compile_definitions(embree INTERFACE BALCONY_EMBREE=${embree_VERSION_MAJOR})
 
@@ -22,7 +27,7 @@ foreach(dependency IN LISTS BALCONY_LIBRARY_DEPENDENCIES)
     unset(CMAKE_MESSAGE_LOG_LEVEL)
 endforeach()
 
-find_package(Eigen3 3.4 REQUIRED)           # Eigen3::Eigen, headers of the layer solve
+balcony_find(Eigen3 3.4 6 libeigen3-dev)    # Eigen3::Eigen, headers of the layer solve
 find_package(CLI11 2.1 REQUIRED)            # CLI11::CLI11
 if(BUILD_TESTING)
     find_package(GTest 1.12 REQUIRED)       # GTest::gtest_main
