@@ -17,6 +17,10 @@ target_compile_options(balcony_options INTERFACE -ffp-contract=off -fno-math-err
 if(BALCONY_WERROR)
     target_compile_options(balcony_options INTERFACE -Werror)
 endif()
+# Fuzzers get past checks that a forger gets past.
+if(BALCONY_FUZZ)
+    target_compile_definitions(balcony_options INTERFACE FUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION)
+endif()
 if(BALCONY_SANITIZE)
     target_compile_options(balcony_options INTERFACE -fsanitize=${BALCONY_SANITIZE} -fno-omit-frame-pointer)
     target_link_options(balcony_options INTERFACE -fsanitize=${BALCONY_SANITIZE})

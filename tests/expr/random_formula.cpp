@@ -108,10 +108,7 @@ const std::shared_ptr<const Native>& formula_native() {
     return native;
 }
 
-Formula random_formula(std::mt19937_64& random, std::size_t operations_wanted) {
-    const auto below = [&](std::size_t count) {
-        return std::uniform_int_distribution<std::size_t>(0, count - 1)(random);
-    };
+Formula grown_formula(const Choice& below, std::size_t operations_wanted) {
     Formula formula;
     auto& steps = formula.steps;
     constexpr std::size_t two = 0;
@@ -152,6 +149,14 @@ Formula random_formula(std::mt19937_64& random, std::size_t operations_wanted) {
         steps[push(op, arguments)].value = op == Op::result ? static_cast<double>(below(2)) : 0.0;
     }
     return formula;
+}
+
+Formula random_formula(std::mt19937_64& random, std::size_t operations_wanted) {
+    return grown_formula(
+        [&random](std::size_t count) {
+            return std::uniform_int_distribution<std::size_t>(0, count - 1)(random);
+        },
+        operations_wanted);
 }
 
 Expr build(Graph& graph, const Formula& formula) {

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <functional>
 #include <memory>
 #include <random>
 #include <string>
@@ -41,8 +43,13 @@ inline constexpr std::array<std::string_view, 5> formula_inputs{"x", "y", "t", "
 inline constexpr std::array further_input_values{InputValue{"lens", 0.65},
                                                  InputValue{"shutter", -1.3}};
 
-/// Its inputs and some constants, then random operations on them, most of them inside their
+/// A number below a count, which is at least 1: what decides how a formula grows.
+using Choice = std::function<std::size_t(std::size_t)>;
+
+/// Its inputs and some constants, then operations on them by choice, most of them inside their
 /// domains.
+[[nodiscard]] Formula grown_formula(const Choice& below, std::size_t operations_wanted);
+/// The same by chance.
 [[nodiscard]] Formula random_formula(std::mt19937_64& random, std::size_t operations_wanted);
 
 /// The formula in a graph.

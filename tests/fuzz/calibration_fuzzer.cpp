@@ -5,23 +5,15 @@
 
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <span>
 
 #include "balcony/data.hpp"
 #include "balcony/make_stage.hpp"
+#include "demand.hpp"
 
 namespace {
 
 using namespace balcony;
-
-void demand(bool holds, const char* what) {
-    if (!holds) {
-        std::fprintf(stderr, "%s\n", what);
-        std::abort();
-    }
-}
 
 void look_through(const camera::ObjectGenerator& made, double u, double v) {
     expr::Graph graph;

@@ -5,26 +5,12 @@
 // camera calls a ray must be one: finite, of unit length.
 
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 
 #include "../laws/ray_laws.hpp"
 #include "balcony/lang.hpp"
-
-namespace {
+#include "demand.hpp"
 
 using namespace balcony;
-
-void demand(bool holds, const char* what) {
-    if (!holds) {
-        std::fprintf(stderr, "%s\n", what);
-        std::abort();
-    }
-}
-
-void demand_no(const std::string& broken) { demand(broken.empty(), broken.c_str()); }
-
-}  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
     const auto source = std::make_shared<const SourceText>(

@@ -10,8 +10,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -24,6 +22,7 @@
 #include "../laws/scene_laws.hpp"
 #include "balcony/images.hpp"
 #include "balcony/scene.hpp"
+#include "demand.hpp"
 
 namespace {
 
@@ -31,17 +30,10 @@ using namespace balcony;
 namespace fs = std::filesystem;
 using Bytes = std::span<const std::uint8_t>;
 
-void demand(const std::string& broken) {
-    if (!broken.empty()) {
-        std::fprintf(stderr, "%s\n", broken.c_str());
-        std::abort();
-    }
-}
-
 // The first rows; the others go the same way.
 void read_image(const char* name, Bytes bytes) {
     const auto opened = images::ImageFile::open(name, bytes);
-    demand(opened || has_errors(opened.diagnostics) ? "" : "neither an image nor an error");
+    demand(opened || has_errors(opened.diagnostics), "neither an image nor an error");
     constexpr std::size_t max_values = 1'000'000;
     if (!opened) {
         return;
@@ -62,7 +54,7 @@ void read_image(const char* name, Bytes bytes) {
 
 void load(const fs::path& name, Bytes bytes) {
     const Result<scene::Scene> loaded = scene::load(name, bytes);
-    demand(laws::broken_law(loaded));
+    demand_no(laws::broken_law(loaded));
     (void)to_text(loaded.diagnostics);
     if (!loaded) {
         return;

@@ -9,6 +9,7 @@ start from.
 
 import base64
 import json
+import math
 import pathlib
 import struct
 import sys
@@ -57,22 +58,25 @@ def tiff():
     return b"II*\0" + struct.pack("<I", 12) + bytes((10, 20, 30, 40)) + directory
 
 
-def exr(value):
-    """2 x 2 pixels of one channel of floats, without compression."""
+def exr(values):
+    """2 x 2 pixels without compression; values has the float of each channel, the second column is 1."""
 
     def attribute(name, kind, data):
         return name + b"\0" + kind + b"\0" + struct.pack("<I", len(data)) + data
 
     box = struct.pack("<4i", 0, 0, 1, 1)
     header = b"\x76\x2f\x31\x01" + struct.pack("<I", 2) + b"".join((
-        attribute(b"channels", b"chlist", b"Y\0" + struct.pack("<iB3xii", 2, 0, 1, 1) + b"\0"),
+        attribute(b"channels", b"chlist", b"".join(
+            name.encode() + b"\0" + struct.pack("<iB3xii", 2, 0, 1, 1)
+            for name in sorted(values)) + b"\0"),
         attribute(b"compression", b"compression", b"\0"),
         attribute(b"dataWindow", b"box2i", box), attribute(b"displayWindow", b"box2i", box),
         attribute(b"lineOrder", b"lineOrder", b"\0"),
         attribute(b"pixelAspectRatio", b"float", floats(1)),
         attribute(b"screenWindowCenter", b"v2f", floats(0, 0)),
         attribute(b"screenWindowWidth", b"float", floats(1)))) + b"\0"
-    rows = [struct.pack("<iI", y, 8) + floats(value, 1) for y in range(2)]
+    row = b"".join(floats(values[name], 1) for name in sorted(values))
+    rows = [struct.pack("<iI", y, len(row)) + row for y in range(2)]
     first = len(header) + 2 * 8
     return header + struct.pack("<2Q", first, first + len(rows[0])) + b"".join(rows)
 
@@ -272,7 +276,7 @@ def main():
     (folder / "text.stl").write_bytes(b"stl:" + STL)
     (folder / "binary.stl").write_bytes(b"stl:" + stl())
     for name, image in (("png", png()), ("bmp", bmp()), ("tga", b"tga:" + tga()), ("hdr", hdr()),
-                        ("tiff", tiff()), ("exr", exr(0.5)), ("nan.exr", exr(float("nan")))):
+                        ("tiff", tiff()), ("exr", exr({"Y": 0.5})), ("nan.exr", exr({"Y": math.nan}))):
         (folder / f"image.{name}").write_bytes(image)
 
 

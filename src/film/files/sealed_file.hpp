@@ -216,11 +216,17 @@ public:
         return std::apply([this](auto&... values) { return (this->read_field(values) && ...); },
                           members);
     }
-    // Whether what was read so far is what was written.
+    // Whether what was read so far is what was written. Fuzzers take any hash for the right one.
     [[nodiscard]] bool is_sealed() {
+#ifdef FUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION
+        constexpr bool any_hash = true;
+#else
+        constexpr bool any_hash = false;
+#endif
         const std::uint64_t expected = hash_.value();
         std::uint64_t found = 0;
-        return read(std::as_writable_bytes(std::span(&found, 1))) && found == expected;
+        return read(std::as_writable_bytes(std::span(&found, 1))) &&
+               (any_hash || found == expected);
     }
     // The same for the end of the file.
     [[nodiscard]] bool ends_sealed() { return is_sealed() && rest_ == 0; }
