@@ -8,6 +8,7 @@ set(BALCONY_LIBRARY_DEPENDENCIES
     "OpenEXR 3.1"         # OpenEXR::OpenEXR
     "OpenImageIO 2.4"     # OpenImageIO::OpenImageIO
     "TBB"                 # TBB::tbb
+    "PNG 1.6"             # PNG::PNG
     "embree ${BALCONY_EMBREE_VERSION}"  # embree
     "hwy 1.0"             # hwy::hwy
     "SLEEF 3.5"           # SLEEF::sleef

@@ -5,8 +5,9 @@
 // Images: reading, encoding and filtering images, the only reader of images from outside, whether
 // they are textures or masks, on the disk or embedded.
 //
-// OpenImageIO does the work. A program that links Balcony links it too; the command loads it with
-// the first image, since loading it takes longer than most commands take.
+// OpenImageIO does the work, except that libpng writes PNG files. A program that links Balcony
+// links it too; the command loads it with the first image that needs it, since loading it takes
+// longer than most commands take.
 
 #include <array>
 #include <cstddef>
@@ -137,8 +138,10 @@ public:
 
 // ------------------------------------------------------------------------------- OpenImageIO
 
-/// Loads OpenImageIO at once, so that a caller that writes an image after long work learns before
-/// it that OpenImageIO is missing, which is an error of Kind::environment.
+/// Loads OpenImageIO at once. If it is missing, that is an error of Kind::environment.
 [[nodiscard]] Diagnostics require();
+/// The same if encode() needs it for a format, as for all but "png", so that a caller that writes
+/// an image after long work learns before it that it is missing.
+[[nodiscard]] Diagnostics require_encoder(std::string_view format);
 
 }  // namespace balcony::images

@@ -17,6 +17,7 @@ class Balcony < Formula
   depends_on :linux
   depends_on "nlohmann-json"
   depends_on "openexr"
+  depends_on "libpng"
   depends_on "openimageio"
   depends_on "proj"
   depends_on "sleef"

@@ -8,13 +8,15 @@
 #include <limits>
 
 #include "images/image_library.hpp"
+#include "images/png.hpp"
 
 namespace balcony::images {
 
 namespace {
 
-constexpr std::array encoders{std::string_view("png"), std::string_view("jpeg"),
-                              std::string_view("webp"), std::string_view("tiff")};
+constexpr std::string_view png_format = "png";
+constexpr std::array encoders{png_format, std::string_view("jpeg"), std::string_view("webp"),
+                              std::string_view("tiff")};
 
 bool has_size(std::size_t width, std::size_t height) {
     constexpr std::size_t largest = std::numeric_limits<int>::max();
@@ -49,6 +51,9 @@ Result<std::vector<std::uint8_t>> encode(const Raster& raster, std::string_view 
         std::find(encoders.begin(), encoders.end(), format) == encoders.end()) {
         return error(Kind::internal, "the samples, channels or format of an image cannot be");
     }
+    if (format == png_format) {
+        return encode_png(raster);
+    }
     const auto& library = image_library();
     return library ? (*library)->encode(raster, format) : library.diagnostics;
 }
@@ -63,6 +68,10 @@ Result<std::unique_ptr<FilteredImage>> FilteredImage::make(const LinearImage& im
         return library.diagnostics;
     }
     return (*library)->filter(image, closes);
+}
+
+Diagnostics require_encoder(std::string_view format) {
+    return format == png_format ? Diagnostics() : require();
 }
 
 Diagnostics require() { return image_library().diagnostics; }

@@ -33,8 +33,8 @@ set(moved "${FOLDER}/moved")
 file(REMOVE_RECURSE "${moved}")
 file(RENAME "${prefix}" "${moved}")
 file(WRITE "${moved}/scene.obj" "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
-run("${moved}/bin/balcony" render "${moved}/scene.obj" --size 8x8 -s 1 -q -o "${moved}/picture.png")
-file(REMOVE "${moved}/scene.obj" "${moved}/picture.png")
+run("${moved}/bin/balcony" render "${moved}/scene.obj" --size 8x8 -s 1 -q -o "${moved}/picture.jpg")
+file(REMOVE "${moved}/scene.obj" "${moved}/picture.jpg")
 file(RENAME "${moved}" "${prefix}")
 
 # The example has a stage of its own. Its picture has a line for each row, light and dark in it.

@@ -27,10 +27,11 @@ Diagnostics check_output(const std::filesystem::path& file) {
     if (ending_of(file) == ".exr") {
         return OutputFile::check(file);
     }
-    if (display_format(file) == nullptr) {
+    const DisplayFormat* const format = display_format(file);
+    if (format == nullptr) {
         return {not_a_picture_format(file)};
     }
-    Diagnostics found = images::require();
+    Diagnostics found = images::require_encoder(format->encoder);
     return found.empty() ? OutputFile::check(file) : found;
 }
 

@@ -22,10 +22,6 @@ void set_resolution(OIIO::ImageSpec& spec, double dpi, std::string_view format) 
         // It has whole numbers, of which those per centimetre may be nearer.
         metric = error(per_centimeter) < error(dpi);
         value = std::round(metric ? per_centimeter : dpi);
-    } else if (format == "png") {
-        // It has whole numbers per metre, for which OpenImageIO cuts off the rest.
-        metric = true;
-        value = (std::round(100.0 * per_centimeter) + 0.25) / 100.0;
     }
     spec.attribute("ResolutionUnit", metric ? "cm" : "in");
     spec.attribute("XResolution", static_cast<float>(value));
