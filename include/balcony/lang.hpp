@@ -213,6 +213,13 @@ public:
         const CameraSource& source, const std::vector<Override>& overrides = {},
         std::string_view name = "");
 
+    /// The text of a file in which a camera or a picture has these expressions as the values of its
+    /// parameters; the rest is as it was written, comments and layout among it. The values of what
+    /// is made of another one stand in its own call. What is imported stays as it is: one of the
+    /// same name that is made of it is added, which is all of the text for a built-in camera.
+    [[nodiscard]] Result<std::string> with_values(const CameraSource& source, std::string_view name,
+                                                  const std::vector<Override>& values);
+
     /// The same as make_picture(), explained.
     [[nodiscard]] Result<ExplainedPicture> explain(const CameraSource& source,
                                                    std::string_view name = "",
@@ -257,6 +264,13 @@ private:
 /// same order, so that its meaning is unchanged. Idempotent. A text with syntax
 /// errors is not formatted.
 [[nodiscard]] Result<std::string> format(const std::shared_ptr<const SourceText>& source);
+
+/// A finite number as an expression in the shortest digits that the language reads as this value
+/// bit for bit. An angle has the unit of the expression that it replaces, otherwise degrees, or
+/// radians if no number of degrees has its value.
+[[nodiscard]] std::string literal(double value, bool is_angle, std::string_view instead_of = {});
+/// The angle nearest to one in radians that is a number of degrees.
+[[nodiscard]] double in_degrees(double radians);
 
 /// The names of the built-in cameras by family: fisheye, panorama, ...
 [[nodiscard]] const std::vector<std::string>& built_in_cameras();

@@ -16,6 +16,7 @@
 #include "lang/names/unused_names.hpp"
 #include "lang/tools/explain.hpp"
 #include "lang/tools/open_camera.hpp"
+#include "lang/tools/rewrite.hpp"
 
 namespace balcony::lang {
 
@@ -396,6 +397,22 @@ Result<ExplainedPicture> Workspace::explain(const CameraSource& source, std::str
         explained = ExplainedPicture{std::move(*made), std::move(explanation)};
     }
     return finish(std::move(explained), module, session);
+}
+
+Result<std::string> Workspace::with_values(const CameraSource& source, std::string_view name,
+                                           const std::vector<Override>& values) {
+    Session session = implementation_->begin();
+    const Module* module = read(session, source);
+    const auto written = selected(module, name, false, session.reporter());
+    const auto found = written ? resolve_base({*written, {}}, session) : std::nullopt;
+    std::optional<std::string> made;
+    if (found) {
+        // Reports what is wrong with the names and the expressions.
+        const GivenParameters given{values, found->given.values};
+        [[maybe_unused]] const DefinitionScope checked(found->place, given, session);
+        made = rewritten(*module, *written, values);
+    }
+    return finish(std::move(made), module, session);
 }
 
 Result<std::vector<Description>> Workspace::describe(const CameraSource& source) {

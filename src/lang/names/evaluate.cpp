@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include <fmt/format.h>
 
@@ -17,8 +16,6 @@
 namespace balcony::lang {
 
 namespace {
-
-constexpr double radians_per_degree = std::numbers::pi / 180.0;
 
 constexpr std::size_t deepest_calls = 400;
 constexpr std::size_t max_nodes_in_calls = 4'000'000;

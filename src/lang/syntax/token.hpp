@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <numbers>
 #include <string_view>
 
 namespace balcony::lang {
@@ -24,6 +25,9 @@ enum class TokenKind : std::uint8_t {
 };
 
 enum class NumberUnit : std::uint8_t { none, degrees, radians };
+
+/// The value of a number in degrees is this many times the number.
+inline constexpr double radians_per_degree = std::numbers::pi / 180.0;
 
 struct Token {
     TokenKind kind = TokenKind::end;
