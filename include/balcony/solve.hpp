@@ -39,6 +39,7 @@ struct Unknown {
     camera::Range range{};  ///< The values that it may have.
     /// How far it may be from `value`: a standard deviation. Without it, anywhere in the range.
     std::optional<double> deviation{};
+    std::string name{};  ///< What messages call it, if not as its input.
 };
 
 /// Where a rigid group of points is: place = rotation * point + translation.
@@ -51,7 +52,10 @@ struct Pose {
 
 /// A group of points whose pose is unknown.
 struct Target {
-    Pose start{};
+    /// Without it, the search begins where rays of the first values at the positions that are
+    /// demanded of its marks pass these, as if all began at one point.
+    std::optional<Pose> start{};
+    std::string name{};  ///< What messages call it, if not by its number.
 };
 
 /// What a camera sees, in the axes of the camera.
@@ -62,6 +66,8 @@ struct Mark {
     /// Where in the picture the search for it begins, in pixels; by default where the camera shows
     /// it with the first values of the unknowns.
     std::optional<V2d> near{};
+    std::string name{};    ///< What messages call it, if not by its number.
+    SourceSpan written{};  ///< Where a file has it, for messages.
 };
 
 /// What a constraint demands. Rows of constraint_kinds() say how many marks each takes and what it
@@ -95,7 +101,11 @@ struct Constraint {
     double deviation = 1.0;
     /// What it misses beyond so many standard deviations counts less and less (Cauchy's loss).
     std::optional<double> tolerance{};
+    SourceSpan written{};  ///< Where a file has it, for messages.
 };
+
+/// Whether a constraint has a value of its own.
+enum class ValueUse : std::uint8_t { none, may, must };
 
 /// A kind of constraints for documentation and readers of files.
 struct ConstraintKindInfo {
@@ -103,6 +113,7 @@ struct ConstraintKindInfo {
     std::string_view name;
     std::string_view meaning;
     std::size_t marks;  ///< How many it takes; 0 if it is about a position.
+    ValueUse value = ValueUse::none;
 };
 [[nodiscard]] const std::vector<ConstraintKindInfo>& constraint_kinds();
 
@@ -114,11 +125,19 @@ struct Problem {
     std::vector<Constraint> constraints;
 };
 
+/// The cells of the picture in whose middles the uncertainty of projections is wanted.
+struct ErrorGrid {
+    std::size_t columns = 16;
+    std::size_t rows = 9;
+    std::optional<double> distance{};  ///< Of the points, in scene units; far away without it.
+};
+
 struct Options {
     std::size_t iterations = 200;  ///< At most, from each start.
     /// How many starts are tried: the first is that of the problem, the others are spread over the
     /// ranges of the unknowns that have finite ones.
     std::size_t starts = 1;
+    std::optional<ErrorGrid> errors{};  ///< Solution::errors are wanted.
 };
 
 /// What a constraint misses, in its unit.
@@ -140,6 +159,12 @@ struct Solution {
     std::vector<double> deviations;
     /// The same for products of deviations: covariance[i * n + j] of the unknowns i and j.
     std::vector<double> covariance;
+    /// By cell of the grid, row by row: the standard deviation of where the picture shows a point
+    /// that it shows in the middle, in pixels and in the direction in which it is largest. The
+    /// point is fixed in space or, if there are targets, in the mean of their places, as the
+    /// projection uncertainty of mrcal. Infinite where an unknown matters that is not determined,
+    /// nothing where the camera has no ray.
+    std::vector<std::optional<double>> errors;
     double cost = 0.0;  ///< The sum of squares, with tolerances applied.
     std::size_t iterations = 0;
     bool converged = false;
@@ -147,9 +172,11 @@ struct Solution {
 
 /// Finds values for the unknowns with which a picture of a size in pixels misses as little of the
 /// constraints as it can. It is an error if there are no unknowns or constraints, if an index, a
-/// number or an input is not known, if no ray meets a mark that must be seen, and, of
-/// Kind::interrupted, if it is stopped. Unknowns that the constraints do not determine keep their
-/// first values, with a warning.
+/// number or an input is not known, if no ray meets a mark that must be seen, if a target has
+/// neither a start nor the marks for one, and, of Kind::interrupted, if it is stopped. Unknowns
+/// that the constraints do not determine keep their first values, with a warning, as there is for a
+/// mark that the found camera does not show, and for constraints that ask for less than there are
+/// unknowns.
 [[nodiscard]] Result<Solution> solve(const camera::Camera& camera, double width, double height,
                                      const Problem& problem, const Options& options = {},
                                      const std::stop_token& stop = {});

@@ -101,7 +101,8 @@ Spread spread_of(const Residuals& residuals) {
     const Index count = residuals.by_unknown.cols();
     // In units in which each unknown alone has the same effect, so that they can be compared.
     VectorXd scale = residuals.by_unknown.colwise().norm();
-    Spread made{MatrixXd::Zero(count, count), std::vector<bool>(static_cast<std::size_t>(count))};
+    Spread made{MatrixXd::Zero(count, count), MatrixXd(count, 0),
+                std::vector<bool>(static_cast<std::size_t>(count))};
     for (Index i = 0; i < count; ++i) {
         made.undetermined[static_cast<std::size_t>(i)] = !(scale[i] > 0.0);
         scale[i] = scale[i] > 0.0 ? scale[i] : 1.0;
@@ -116,6 +117,8 @@ Spread spread_of(const Residuals& residuals) {
             made.covariance += direction * direction.transpose() / solver.eigenvalues()[k];
             continue;
         }
+        made.free.conservativeResize(count, made.free.cols() + 1);
+        made.free.rightCols(1) = scale.cwiseInverse().cwiseProduct(direction);
         for (Index i = 0; i < count; ++i) {
             if (std::abs(direction[i]) > 1e-3) {
                 made.undetermined[static_cast<std::size_t>(i)] = true;

@@ -45,6 +45,7 @@ struct Minimum {
 /// What the residuals say about the unknowns, to first order.
 struct Spread {
     Eigen::MatrixXd covariance;  ///< Without the directions that are not determined.
+    Eigen::MatrixXd free;        ///< These directions, in the columns.
     /// By unknown: it can change without a residual that does.
     std::vector<bool> undetermined;
 };

@@ -9,14 +9,6 @@ namespace balcony::solve {
 
 namespace {
 
-Eigen::Vector3d eigen(const V3d& v) { return {v.x, v.y, v.z}; }
-
-Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& v) {
-    Eigen::Matrix3d made;
-    made << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
-    return made;
-}
-
 Eigen::Matrix3d matrix_of(const Eigen::Vector3d& rotation) {
     const double angle = rotation.norm();
     return angle > 0.0 ? Eigen::AngleAxisd(angle, rotation / angle).toRotationMatrix()
@@ -24,6 +16,12 @@ Eigen::Matrix3d matrix_of(const Eigen::Vector3d& rotation) {
 }
 
 }  // namespace
+
+Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& v) {
+    Eigen::Matrix3d made;
+    made << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
+    return made;
+}
 
 V3d Pose::operator*(const V3d& point) const {
     const Eigen::Vector3d turned = matrix_of(eigen(rotation)) * eigen(point);

@@ -78,7 +78,7 @@ Diagnostics problems_of(const Problem& problem) {
         }
     }
     for (std::size_t i = 0; i < problem.targets.size(); ++i) {
-        const Pose& start = problem.targets[i].start;
+        const Pose start = problem.targets[i].start.value_or(Pose{});
         if (!is_finite(start.rotation) || !is_finite(start.translation)) {
             found.push_back(numbered("target", i, "begins at a pose that is not finite"));
         }

@@ -68,7 +68,8 @@ const std::vector<Row>& rows() {
     static const std::vector<Row> all{
         {{at, "at", "a mark appears at a position", 1}, misses_at},
         {{together, "together", "two marks appear at one position", 2}, misses_together},
-        {{inside, "inside", "a mark is in the picture, so many pixels from its border", 1},
+        {{inside, "inside", "a mark is in the picture, so many pixels from its border", 1,
+          ValueUse::may},
          misses_inside},
         {{outside, "outside", "a mark is not in the picture", 1}, misses_outside},
         {{straight, "straight", "the third mark appears on the line through the first two", 3},
@@ -78,17 +79,19 @@ const std::vector<Row>& rows() {
         {{parallel, "parallel",
           "the line through the first two marks is parallel to that through the other two", 4},
          misses_parallel},
-        {{length, "length", "two marks appear so many pixels apart", 2}, misses_length},
-        {{ratio, "ratio", "the first two marks are so many times as far apart as the other two", 4},
+        {{length, "length", "two marks appear so many pixels apart", 2, ValueUse::must},
+         misses_length},
+        {{ratio, "ratio", "the first two marks are so many times as far apart as the other two", 4,
+          ValueUse::must},
          misses_ratio},
         {{magnification, "magnification",
-          "there are so many pixels per unit at a distance, or per radian", 0},
+          "there are so many pixels per unit at a distance, or per radian", 0, ValueUse::must},
          nullptr},
         {{isotropic, "isotropic", "small circles appear as circles", 0}, nullptr},
         {{unfolded, "unfolded",
           "the picture is not mirrored, and its rows and columns meet at an angle of at least this "
           "sine",
-          0},
+          0, ValueUse::may},
          nullptr},
     };
     return all;

@@ -13,7 +13,9 @@
 #include <fmt/format.h>
 
 #include "balcony/progress.hpp"
+#include "solve/first_pose.hpp"
 #include "solve/problem_check.hpp"
+#include "solve/projection_errors.hpp"
 #include "solve/system.hpp"
 
 namespace balcony::solve {
@@ -55,16 +57,89 @@ std::optional<V2d> found_from_grid(const InputRays& rays, const Problem& problem
     return std::nullopt;
 }
 
+std::string name_of(const Mark& mark, std::size_t number) {
+    return mark.name.empty() ? fmt::format("mark {}", number + 1)
+                             : fmt::format("the mark '{}'", mark.name);
+}
+
+std::string name_of(const Unknown& unknown) {
+    return unknown.name.empty() ? unknown.input : unknown.name;
+}
+
+// The pose in which the first values show the marks of a target where they are demanded.
+std::optional<Pose> pose_of_marks(const InputRays& rays, const Problem& problem,
+                                  std::size_t target) {
+    std::vector<V2d> at;
+    std::vector<V3d> places;
+    for (const Constraint& constraint : problem.constraints) {
+        const Mark* const mark =
+            constraint.marks.empty() ? nullptr : &problem.marks[constraint.marks.front()];
+        if (constraint.kind == ConstraintKind::at && mark->target == target) {
+            at.push_back(constraint.position);
+            places.push_back(mark->place);
+        }
+    }
+    std::vector<double> values;
+    for (const Unknown& unknown : problem.unknowns) {
+        values.push_back(unknown.value);
+    }
+    std::vector<rays::Ray> seen;
+    std::vector<V3d> met;
+    const std::vector<InputRay> there = rays.at(at, values, false);
+    for (std::size_t i = 0; i < there.size(); ++i) {
+        if (there[i].ray.valid) {
+            seen.push_back(there[i].ray);
+            met.push_back(places[i]);
+        }
+    }
+    return first_pose(seen, met);
+}
+
+// The problem with a start for each target.
+Result<Problem> with_poses(const InputRays& rays, Problem problem) {
+    for (std::size_t i = 0; i < problem.targets.size(); ++i) {
+        Target& target = problem.targets[i];
+        if (!target.start) {
+            target.start = pose_of_marks(rays, problem, i);
+        }
+        if (!target.start) {
+            return error(
+                fmt::format("where {} is cannot be seen from its marks",
+                            target.name.empty() ? fmt::format("target {}", i + 1)
+                                                : fmt::format("the target '{}'", target.name)),
+                {},
+                "give it a start, or positions of at least 4 marks in a plane or 6 others, which "
+                "are not on one line");
+        }
+    }
+    return problem;
+}
+
+// By mark: whether a constraint of any kind but one is about it.
+std::vector<bool> marks_in_use(const Problem& problem, std::optional<ConstraintKind> except) {
+    std::vector<bool> made(problem.marks.size());
+    for (const Constraint& constraint : problem.constraints) {
+        for (const std::size_t mark : constraint.marks) {
+            made[mark] = made[mark] || constraint.kind != except;
+        }
+    }
+    return made;
+}
+
 // Where the search for each mark begins.
 Result<std::vector<V2d>> first_positions(const InputRays& rays, const Problem& problem,
                                          const V2d& size) {
     std::vector<V2d> made;
+    const std::vector<bool> used = marks_in_use(problem, std::nullopt);
     for (std::size_t i = 0; i < problem.marks.size(); ++i) {
-        const std::optional<V2d> at =
+        std::optional<V2d> at =
             problem.marks[i].near ? problem.marks[i].near : found_from_grid(rays, problem, i, size);
+        at = at || used[i] ? at : 0.5 * size;
         if (!at) {
-            return error(fmt::format("no ray of the first values meets mark {}", i + 1), {},
-                         "say where in the picture it is, or begin with values that show it");
+            return error(
+                fmt::format("no ray of the first values meets {}", name_of(problem.marks[i], i)),
+                problem.marks[i].written,
+                "say where in the picture it is, or begin with values that show it");
         }
         made.push_back(*at);
     }
@@ -120,6 +195,36 @@ Solution solution_of(const Minimum& minimum, System& system, std::size_t inputs)
     return made;
 }
 
+// What is doubtful about a solution for which a problem has so many equations.
+Diagnostics warnings_of(const Problem& problem, const Solution& solution, std::size_t equations) {
+    Diagnostics warnings;
+    for (std::size_t i = 0; i < problem.unknowns.size(); ++i) {
+        if (!std::isfinite(solution.deviations[i])) {
+            warnings.push_back(warning(
+                fmt::format("the constraints do not determine '{}'", name_of(problem.unknowns[i])),
+                {}, "add a constraint that it changes, or leave it out of the unknowns"));
+        }
+    }
+    const std::size_t unknowns = problem.unknowns.size() + 6 * problem.targets.size();
+    if (equations < unknowns) {
+        warnings.push_back(warning(
+            fmt::format("the constraints are {}, too few for {}", counted(equations, "equation"),
+                        counted(unknowns, "unknown number")),
+            {}, "add constraints, or leave out unknowns"));
+    }
+    const std::vector<bool> wanted = marks_in_use(problem, ConstraintKind::outside);
+    for (std::size_t i = 0; i < problem.marks.size(); ++i) {
+        if (wanted[i] && !solution.seen[i]) {
+            warnings.push_back(warning(
+                fmt::format("the camera that was found does not show {}",
+                            name_of(problem.marks[i], i)),
+                problem.marks[i].written,
+                "correct its place or its position, or free a parameter that brings it into view"));
+        }
+    }
+    return warnings;
+}
+
 }  // namespace
 
 Result<Solution> solve(const camera::Camera& camera, double width, double height,
@@ -142,14 +247,16 @@ Result<Solution> solve(const camera::Camera& camera, double width, double height
     const V2d size(width, height);
     std::optional<Solution> best;
     Diagnostics first_found;
+    std::size_t equations = 0;
     for (std::size_t number = 0; number < std::max<std::size_t>(options.starts, 1); ++number) {
-        const Problem trial = started(problem, number);
-        Result<std::vector<V2d>> near = first_positions(*rays, trial, size);
+        Result<Problem> trial = with_poses(*rays, started(problem, number));
+        Result<std::vector<V2d>> near = trial ? first_positions(*rays, *trial, size)
+                                              : Result<std::vector<V2d>>(trial.diagnostics);
         if (!near) {
             first_found = number == 0 ? std::move(near.diagnostics) : std::move(first_found);
             continue;
         }
-        System system(*rays, trial, size, *near);
+        System system(*rays, *trial, size, *near);
         const std::optional<Minimum> minimum =
             minimize([&](const VectorXd& at) { return system.residuals(at); }, system.start(),
                      system.limits(), options.iterations, stop);
@@ -158,6 +265,11 @@ Result<Solution> solve(const camera::Camera& camera, double width, double height
         }
         if (minimum && (!best || minimum->residuals.values.squaredNorm() < best->cost)) {
             best = solution_of(*minimum, system, inputs.size());
+            equations = static_cast<std::size_t>(minimum->residuals.values.size());
+            if (options.errors) {
+                best->errors = projection_errors(*rays, *trial, size, minimum->unknowns,
+                                                 spread_of(minimum->residuals), *options.errors);
+            }
         }
     }
     if (!best) {
@@ -166,14 +278,7 @@ Result<Solution> solve(const camera::Camera& camera, double width, double height
                                        "begin with other values of the unknowns")}
                    : first_found;
     }
-    Diagnostics warnings;
-    for (std::size_t i = 0; i < inputs.size(); ++i) {
-        if (!std::isfinite(best->deviations[i])) {
-            warnings.push_back(
-                warning(fmt::format("the constraints do not determine '{}'", inputs[i]), {},
-                        "add a constraint that it changes, or leave it out of the unknowns"));
-        }
-    }
+    Diagnostics warnings = warnings_of(problem, *best, equations);
     if (!best->converged) {
         warnings.push_back(warning(
             fmt::format("no minimum was found in {}", counted(best->iterations, "iteration")), {},

@@ -52,7 +52,7 @@ Eigen::VectorXd System::start() const {
         made[i++] = unknown.value;
     }
     for (const Target& target : problem_.targets) {
-        for (const V3d& part : {target.start.rotation, target.start.translation}) {
+        for (const V3d& part : {target.start->rotation, target.start->translation}) {
             for (const double value : {part.x, part.y, part.z}) {
                 made[i++] = value;
             }

@@ -24,7 +24,8 @@ struct SeenMark {
 /// the translation of each target. Belongs to one thread.
 class System {
 public:
-    /// All of these must outlive it. `near` says for each mark where the search for it begins.
+    /// All of these must outlive it. The targets have starts. `near` says for each mark where the
+    /// search for it begins.
     System(const InputRays& rays, const Problem& problem, const V2d& size, std::vector<V2d> near);
 
     [[nodiscard]] Eigen::VectorXd start() const;

@@ -28,7 +28,7 @@ TEST(System, HasTheDerivativesOfItsResiduals) {
         inputs.push_back(lang::parameter_input(parameter.name));
         problem.unknowns.push_back({inputs.back(), parameter.value + 0.05, {}, 0.5});
     }
-    problem.targets = {{{{0.2, -0.3, 0.1}, {3.0, 0.1, 0.2}}}};
+    problem.targets = {{Pose{{0.2, -0.3, 0.1}, {3.0, 0.1, 0.2}}}};
     problem.marks = {{{4.0, 0.5, 0.3}},
                      {{1.0, -0.2, 0.1}, true},
                      {{0.1, 0.2, -0.3}, false, 0},
