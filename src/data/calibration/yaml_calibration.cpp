@@ -12,6 +12,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include "data/calibration/calibration.hpp"
+#include "data/yaml_places.hpp"
 
 namespace balcony::data {
 
@@ -62,7 +63,8 @@ public:
         try {
             read(YAML::Load(std::string(source_->text())));
         } catch (const YAML::Exception& problem) {
-            error(at(problem.mark, 1), fmt::format("this is not YAML: {}", problem.msg),
+            error(place_of(source_, problem.mark, 1),
+                  fmt::format("this is not YAML: {}", problem.msg),
                   "save the calibration with OpenCV's FileStorage, or write it like an example of "
                   "docs/calibrated.md");
         }
@@ -78,23 +80,7 @@ private:
         found_.push_back(balcony::error(std::move(message), std::move(span), std::move(remedy)));
     }
 
-    /// The library counts lines from 0.
-    [[nodiscard]] SourceSpan at(const YAML::Mark& mark, std::size_t length) const {
-        if (mark.is_null() || mark.line < 0 || mark.column < 0) {
-            return {source_, 0, 0};
-        }
-        const std::string_view text = source_->text();
-        const auto number =
-            std::min(static_cast<std::size_t>(mark.line) + 1, source_->line_count());
-        const std::string_view line = source_->line(number);
-        const auto begin = static_cast<std::size_t>(line.data() - text.data()) +
-                           std::min(static_cast<std::size_t>(mark.column), line.size());
-        return {source_, begin, std::min(begin + length, text.size())};
-    }
-    [[nodiscard]] SourceSpan at(const YAML::Node& node) const {
-        return at(node.Mark(),
-                  node.IsScalar() ? std::max<std::size_t>(node.Scalar().size(), 1) : 1);
-    }
+    [[nodiscard]] SourceSpan at(const YAML::Node& node) const { return place_of(source_, node); }
 
     // ---------------------------------------------------------------------------------- entries
     struct Entry {
