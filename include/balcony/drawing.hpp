@@ -64,8 +64,9 @@ struct DrawingView {
     std::vector<std::string> notes{};
 };
 
-/// The part of a camera that a shape of a drawing belongs to.
-enum class DrawingPart : std::uint8_t { eye, toward, frame, ray, axis };
+/// The part of a camera that a shape of a drawing belongs to or, in a drawing of its picture, a
+/// mark that is shown, by what it is missed, and how uncertain projections are.
+enum class DrawingPart : std::uint8_t { eye, toward, frame, ray, axis, mark, miss, uncertainty };
 
 [[nodiscard]] std::string_view name_of(DrawingPart part);
 
@@ -95,6 +96,8 @@ struct Drawing {
     std::size_t height = 0;
     std::vector<DrawingShape> shapes;
     std::vector<DrawingLabel> labels{};  ///< Layers and names, for several cameras, and notes.
+    /// What rasterise() has in place of the white, of the same size. An SVG file stays white.
+    std::optional<Image> background{};
 };
 
 /// Draws the cameras of a picture, or a single camera. It is an error if none of them has a valid

@@ -157,6 +157,9 @@ struct Request {
     /// empty, the first camera of the scene, or one that shows it well.
     std::string camera{};
     std::vector<std::string> set{};  ///< Values of the camera's parameters: "gamma=1/2".
+    /// A file of marks that other parameters are found by, as solve_camera() does; the scene does
+    /// not place the camera then.
+    std::filesystem::path solve{};
     Placement placement{};
     InsideRule inside = InsideRule::report;
 

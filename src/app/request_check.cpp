@@ -106,6 +106,16 @@ Diagnostics check_request(const Request& request) {
         found.push_back(error(Kind::usage, "--set needs a camera whose parameter it sets",
                               "add --camera FILE"));
     }
+    if (!request.solve.empty() && (request.camera.empty() || is_of_scene(request.camera))) {
+        found.push_back(error(Kind::usage,
+                              "--solve needs a camera of a file, whose parameters it finds",
+                              "add --camera FILE or the name of a built-in camera"));
+    } else if (!request.solve.empty() && request.placement.is_demanded()) {
+        found.push_back(error(Kind::usage,
+                              "--solve and a camera that the scene places exclude "
+                              "each other",
+                              "leave out --fit, --fit-to and --from, or --solve"));
+    }
     if (request.placement.is_demanded() &&
         (request.camera.empty() || is_of_scene(request.camera))) {
         found.push_back(error(Kind::usage,

@@ -18,6 +18,7 @@ const std::map<std::string, std::pair<std::string, std::string>>& examples() {
         {"--add", {"lamp.glb", ""}},
         {"--camera", {"my.cam:closeup", ""}},
         {"--set", {"fov=60deg", ""}},
+        {"--solve", {"marks.yml", ""}},
         {"--unit", {"mm", ""}},
         {"--mm-per-pixel", {"0.5", ""}},
         {"--fit", {"true", ""}},
@@ -129,7 +130,8 @@ template <class Target>
 void expect_rows_refuse_a_word(const Options<Target>& options) {
     for (const Option<Target>& row : options.rows) {
         if (row.type == OptionType::flag || row.repeated || row.name == "--camera" ||
-            row.name == "--fit-to" || row.name == "--around" || row.name == "--environment") {
+            row.name == "--solve" || row.name == "--fit-to" || row.name == "--around" ||
+            row.name == "--environment") {
             continue;
         }
         Target target;

@@ -13,7 +13,18 @@ import support
 FENCED = re.compile(r"^```(?:sh|console)\n(.*?)^```", re.MULTILINE | re.DOTALL)
 # tests/guides runs all steps of these pages.
 GUIDES = ("blender.md", "bridges.md", "calibrated.md", "cookbook.md", "povray.md", "python.md",
-          "raymaps.md")
+          "raymaps.md", "solve.md")
+# What my.cam:closeup and pinhole can show.
+MARKS = """size: [320, 200]
+unknowns: [fov, yaw]
+marks: {door: [-24, 10, 0], sign: [-27, 12, 2]}
+constraints: [{at: door, position: [200, 100]}, {level: [door, sign], deviation: 50}]
+"""
+FACADE = """size: [16, 8]
+unknowns: [yaw, pitch]
+marks: {door: [20, 4, 0]}
+constraints: [{at: door, position: [6, 5]}]
+"""
 STARTS = ("balcony ", "build/release/balcony ")
 
 
@@ -39,6 +50,8 @@ class Documentation(support.CommandTest):
         (self.folder / "filmed.gltf").write_text(support.gltf_text_with_cameras())
         self.run_command("render", "scene.glb", "--size", "16x8", "-s", "1", "-o", "photo.png")
         (self.folder / "corners.csv").write_text("1,2,3\n-1,0,0.5\n")
+        (self.folder / "marks.yml").write_text(MARKS)
+        (self.folder / "facade.yml").write_text(FACADE)
         header = "{'descr': '<f8', 'fortran_order': False, 'shape': (1, 3), }".ljust(117) + "\n"
         (self.folder / "cloud.npy").write_bytes(
             b"\x93NUMPY\x01\0" + struct.pack("<H", 118) + header.encode() +
@@ -105,6 +118,7 @@ class Documentation(support.CommandTest):
                 "stmap": ("pinhole", "--from", "panorama", "--size", "8", "-o", "st.exr"),
                 "warp": ("photo.png", "--from", "panorama", "--camera", "pinhole", "--size", "8",
                          "-o", "w.png"),
+                "solve": ("my.cam:closeup", "--with", "marks.yml"),
                 "animate": ("room.glb", "--size", "8", "--frames", "1", "-o", "f.#.png"),
                 "merge": ("m.png.shard-1-of-1",)}
         self.run_command("render", "room.glb", "--size", "8", "--shard", "1/1", "-o", "m.png")
@@ -120,8 +134,8 @@ class Documentation(support.CommandTest):
     def test_help(self):
         lines = []
         for words in ((), ("render",), ("animate",), ("check",), ("list",), ("info",), ("draw",),
-                      ("explain",), ("export",), ("locate",), ("rays",), ("stmap",), ("warp",),
-                      ("blend",)):
+                      ("explain",), ("export",), ("locate",), ("solve",), ("rays",), ("stmap",),
+                      ("warp",), ("blend",)):
             lines += command_lines(self.run_command(*words, "--help")[0])
         self.assertGreaterEqual(len(lines), 10)
         self.run_all(lines)

@@ -179,6 +179,9 @@ std::string_view name_of(DrawingPart part) {
         case DrawingPart::frame: return "frame";
         case DrawingPart::ray: return "ray";
         case DrawingPart::axis: return "axis";
+        case DrawingPart::mark: return "mark";
+        case DrawingPart::miss: return "miss";
+        case DrawingPart::uncertainty: return "uncertainty";
     }
     return {};
 }

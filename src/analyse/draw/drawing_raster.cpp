@@ -32,6 +32,19 @@ public:
           top_(static_cast<double>(top)),
           samples_(columns_ * band_height * fineness, {1.0F, 1.0F, 1.0F}) {}
 
+    /// Begins with the rows of an image, which is as wide.
+    void show(const Image& image) {
+        const auto top = static_cast<std::size_t>(top_);
+        for (std::size_t i = 0; i < samples_.size(); ++i) {
+            const std::size_t x = i % columns_ / fineness;
+            const std::size_t y = top + i / columns_ / fineness;
+            for (std::size_t c = 0; c < 3 && y < image.height; ++c) {
+                samples_[i][c] =
+                    static_cast<float>(image.samples[3 * (y * image.width + x) + c]) / 255.0F;
+            }
+        }
+    }
+
     /// Fills an outline by the non-zero winding rule.
     void fill(const std::vector<V2d>& outline, const Paint& paint) {
         double highest = outline.front().y;
@@ -178,6 +191,9 @@ Image raster_of(const Drawing& drawing, const Work& work) {
     for (std::size_t top = 0; top < drawing.height; top += band_height) {
         work.done(static_cast<double>(top) / static_cast<double>(drawing.height));
         Band band(drawing.width, top);
+        if (drawing.background) {
+            band.show(*drawing.background);
+        }
         for (const DrawingShape& shape : drawing.shapes) {
             work.go_on();
             for (const std::vector<V2d>& outline : outlines_of(shape)) {

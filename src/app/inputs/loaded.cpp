@@ -12,6 +12,7 @@
 #include "app/words.hpp"
 #include "balcony/inputs.hpp"
 #include "balcony/rays.hpp"
+#include "balcony/solving.hpp"
 
 namespace balcony::app {
 
@@ -68,11 +69,15 @@ public:
     // A camera loads fast, so its mistakes are reported before a large scene is read.
     std::optional<camera::Picture> picture() {
         const bool of_file = !request_.camera.empty() && !is_of_scene(request_.camera);
-        const bool is_placed = of_file && request_.placement.places(request_.camera);
+        const bool is_solved = !request_.solve.empty();
+        const bool is_placed = of_file && !is_solved && request_.placement.places(request_.camera);
+        if (is_solved && !solve()) {
+            return std::nullopt;
+        }
         loaded_.cameras.fit_to({});
         Result<camera::Picture> picture;
         if (of_file) {
-            picture = load_picture(request_.camera, request_.set, loaded_.cameras);
+            picture = load_picture(request_.camera, set_, loaded_.cameras);
             if (picture && is_placed) {
                 picture = placed_picture();
             }
@@ -123,6 +128,19 @@ private:
         return true;
     }
 
+    // Gives the parameters the values with which the picture shows the marks.
+    bool solve() {
+        loaded_.marks = {request_.solve};
+        const Result<SolveReport> solved =
+            solve_camera({request_.camera, request_.set, request_.solve}, stop_);
+        add(found_, solved.diagnostics);
+        if (solved) {
+            const std::vector<std::string> values = settings_of(*solved);
+            set_.insert(set_.end(), values.begin(), values.end());
+        }
+        return solved.value.has_value();
+    }
+
     // Without a picture, for the time that the shutter is open.
     bool prepare(const std::optional<camera::Picture>& picture) {
         const scene::TimeInterval times = times_of_rays(loaded_.settings, picture, stop_, found_);
@@ -168,6 +186,7 @@ private:
     }
 
     const Request& request_;
+    std::vector<std::string> set_ = request_.set;
     Loaded& loaded_;
     const Observer& observer_;
     const std::stop_token& stop_;
@@ -182,6 +201,7 @@ std::vector<fs::path> Loaded::files() const {
         all.insert(all.end(), scene->files.begin(), scene->files.end());
     }
     all.insert(all.end(), environment.begin(), environment.end());
+    all.insert(all.end(), marks.begin(), marks.end());
     return all;
 }
 

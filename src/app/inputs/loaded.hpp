@@ -28,6 +28,7 @@ struct Loaded {
     double load_seconds = 0.0;                         ///< To read the scene.
     render::Settings settings{};                       ///< With an environment that is a file.
     std::vector<std::filesystem::path> environment{};  ///< Its file, if there is one.
+    std::vector<std::filesystem::path> marks{};        ///< The file of Request::solve, if any.
     FileWatch::Time since{};                           ///< Before the first file was read.
 
     /// The files that the picture depends on.

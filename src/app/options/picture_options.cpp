@@ -74,6 +74,23 @@ Options<Placement> placement_options() {
                     maybe(place()), &Placement::from)}};
 }
 
+namespace {
+
+Option<Request> solve_option() {
+    return option({.name = "--solve",
+                   .others = {"--match"},
+                   .placeholder = "FILE",
+                   .meaning = "file of marks (.yml) that says what the picture is to show: "
+                              "parameters of the camera are found by it, as with 'balcony solve'"},
+                  converted<std::filesystem::path>(
+                      text(OptionType::file),
+                      [](const std::string& file) { return std::filesystem::path(file); },
+                      [](const std::filesystem::path& file) { return file.string(); }),
+                  &Request::solve);
+}
+
+}  // namespace
+
 Options<Request> scene_options() {
     Options<Request> made{
         {words({.name = "--add",
@@ -96,7 +113,7 @@ Options<Request> scene_options() {
                             "last), or a built-in camera; scene:NAME is a camera of the scene "
                             "(default: its first, or one that shows the scene well)"},
                 text(OptionType::camera), &Request::camera),
-         unit_option(&Request::meters_per_unit), set_option(&Request::set)}};
+         unit_option(&Request::meters_per_unit), set_option(&Request::set), solve_option()}};
     made.add(&Request::placement, placement_options());
     made.add({{option({.name = "--inside",
                        .placeholder = "RULE",

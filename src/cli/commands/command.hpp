@@ -81,6 +81,7 @@ private:
     ROW(fmt)                  \
     ROW(list)                 \
     ROW(locate)               \
+    ROW(solve)                \
     ROW(info)                 \
     ROW(draw)                 \
     ROW(rays)                 \

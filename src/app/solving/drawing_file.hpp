@@ -1,0 +1,15 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "balcony/solving.hpp"
+
+namespace balcony::app {
+
+/// What is known to be wrong with the drawing that a request asks for.
+[[nodiscard]] Diagnostics check_drawing_of(const SolveRequest& request);
+
+/// Writes it, if one is asked for.
+[[nodiscard]] Diagnostics write_drawing_of(const SolveReport& report, const SolveRequest& request);
+
+}  // namespace balcony::app

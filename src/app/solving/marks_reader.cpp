@@ -1,0 +1,490 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// Files of marks: docs/solve.md has their format.
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "app/solving/contradictions.hpp"
+#include "app/solving/parameter_entries.hpp"
+#include "app/solving/yaml_entries.hpp"
+#include "balcony/input_file.hpp"
+#include "balcony/names.hpp"
+#include "balcony/request.hpp"
+#include "balcony/solving.hpp"
+#include "data/files.hpp"
+#include "data/yaml_places.hpp"
+
+namespace balcony::app {
+
+namespace {
+
+using solve::Constraint;
+using solve::ConstraintKind;
+using solve::ConstraintKindInfo;
+using solve::Mark;
+using solve::V2d;
+using solve::V3d;
+using solve::ValueUse;
+
+constexpr std::string_view whole_remedy =
+    "a file of marks has the entries size, marks and constraints, or boards";
+constexpr std::string_view place_remedy =
+    "write a point of space as [x, y, z], or as {point: [x, y, z]} or {direction: [x, y, z]} with "
+    "more about it";
+constexpr std::string_view constraint_remedy =
+    "write a constraint as {at: MARK, position: [x, y]} or {level: [MARK, MARK]}";
+
+const ConstraintKindInfo* kind_named(std::string_view name) {
+    const auto& kinds = solve::constraint_kinds();
+    const auto found = std::find_if(kinds.begin(), kinds.end(),
+                                    [&](const ConstraintKindInfo& one) { return one.name == name; });
+    return found != kinds.end() ? &*found : nullptr;
+}
+
+std::vector<std::string> names_of_kinds() {
+    std::vector<std::string> names;
+    for (const ConstraintKindInfo& kind : solve::constraint_kinds()) {
+        names.emplace_back(kind.name);
+    }
+    return names;
+}
+
+class MarksReader {
+public:
+    explicit MarksReader(const std::shared_ptr<const SourceText>& source)
+        : source_(source), yaml_(source) {}
+
+    Result<Marks> run() {
+        try {
+            read(YAML::Load(std::string(source_->text())));
+        } catch (const YAML::Exception& problem) {
+            yaml_.error(data::place_of(source_, problem.mark, 1),
+                        fmt::format("this is not YAML: {}", problem.msg),
+                        std::string(whole_remedy));
+        }
+        if (has_errors(yaml_.found())) {
+            return std::move(yaml_.found());
+        }
+        return {std::move(made_), std::move(yaml_.found())};
+    }
+
+private:
+    void read(const YAML::Node& file) {
+        std::map<std::string, YamlEntry> entries;
+        for (YamlEntry& one : yaml_.map(file, "the file", whole_remedy,
+                                        {"size", "axes", "origin", "unknowns", "fixed", "targets",
+                                         "marks", "constraints", "boards"})) {
+            entries.emplace(one.name, one);
+        }
+        if (has_errors(yaml_.found()) && entries.empty()) {
+            return;
+        }
+        // Names are read before they are used.
+        const std::vector<std::pair<std::string, void (MarksReader::*)(const YamlEntry&)>> readers{
+            {"size", &MarksReader::size},
+            {"axes", &MarksReader::axes},
+            {"origin", &MarksReader::origin},
+            {"unknowns", &MarksReader::unknowns},
+            {"fixed", &MarksReader::fixed},
+            {"targets", &MarksReader::targets},
+            {"marks", &MarksReader::marks},
+            {"constraints", &MarksReader::constraints},
+            {"boards", &MarksReader::boards}};
+        for (const auto& [name, reader] : readers) {
+            if (const auto entry = entries.find(name); entry != entries.end()) {
+                (this->*reader)(entry->second);
+            }
+        }
+        if (!entries.contains("size")) {
+            yaml_.error({source_, 0, 0}, "the size of the picture is missing",
+                        "write its width and height in pixels: size: [1920, 1080]");
+        }
+        if (made_.problem.constraints.empty() && !has_errors(yaml_.found())) {
+            yaml_.error({source_, 0, 0}, "there is no constraint",
+                        "say what the picture is to show: constraints: [{at: MARK, position: [x, "
+                        "y]}]");
+        }
+        const Diagnostics contradictions = contradictions_of(made_.problem);
+        yaml_.found().insert(yaml_.found().end(), contradictions.begin(), contradictions.end());
+    }
+
+    void size(const YamlEntry& entry) {
+        const auto read = yaml_.position(entry.value);
+        const auto is_side = [](double side) {
+            return side >= 1.0 && side <= static_cast<double>(max_side) && side == std::floor(side);
+        };
+        if (read && !(is_side(read->x) && is_side(read->y))) {
+            yaml_.error(yaml_.at(entry.value),
+                        fmt::format("a picture cannot have {} x {} pixels", read->x, read->y),
+                        fmt::format("write two whole numbers from 1 to {}", max_side));
+        } else if (read) {
+            made_.width = static_cast<std::size_t>(read->x);
+            made_.height = static_cast<std::size_t>(read->y);
+        }
+    }
+
+    void axes(const YamlEntry& entry) {
+        const auto word = yaml_.word(entry.value, "write y_up or z_up");
+        if (word && *word != "y_up" && *word != "z_up") {
+            yaml_.error(yaml_.at(entry.value), fmt::format("there are no axes '{}'", *word),
+                        "write y_up or z_up");
+        } else if (word) {
+            made_.axes = *word == "y_up" ? Axes::y_up : Axes::z_up;
+        }
+    }
+
+    /// As calibrated cameras have it.
+    void origin(const YamlEntry& entry) {
+        const auto word = yaml_.word(entry.value, "write pixel_center or pixel_corner");
+        if (word && *word != "pixel_center" && *word != "pixel_corner") {
+            yaml_.error(yaml_.at(entry.value), fmt::format("there is no origin '{}'", *word),
+                        "write pixel_center, as OpenCV counts, or pixel_corner");
+        } else if (word) {
+            from_corner_ = *word == "pixel_center" ? V2d(0.5) : V2d(0.0);
+        }
+    }
+
+    std::optional<V2d> position(const YAML::Node& node) {
+        const auto read = yaml_.position(node);
+        return read ? std::optional(*read + from_corner_) : std::nullopt;
+    }
+
+    void unknowns(const YamlEntry& entry) { made_.unknowns = read_unknowns(entry, yaml_); }
+    void fixed(const YamlEntry& entry) { made_.fixed = read_fixed(entry, yaml_); }
+
+    // ----------------------------------------------------------------------------------- marks
+    void targets(const YamlEntry& entry) {
+        constexpr std::string_view remedy =
+            "write its name with null, or with {start: {rotation: [x, y, z], translation: [x, y, "
+            "z]}}";
+        for (const YamlEntry& one : yaml_.map(entry.value, "'targets'", remedy)) {
+            solve::Target target;
+            target.name = one.name;
+            if (!one.value.IsNull()) {
+                start(one, target, remedy);
+            }
+            targets_.push_back(one.name);
+            made_.problem.targets.push_back(std::move(target));
+        }
+    }
+
+    void start(const YamlEntry& entry, solve::Target& target, std::string_view remedy) {
+        for (const YamlEntry& one :
+             yaml_.map(entry.value, fmt::format("'{}'", entry.name), remedy, {"start"})) {
+            solve::Pose pose;
+            for (const YamlEntry& part : yaml_.map(one.value, "'start'", remedy,
+                                                   {"rotation", "translation"})) {
+                V3d& vector = part.name == "rotation" ? pose.rotation : pose.translation;
+                vector = yaml_.vector(part.value, remedy).value_or(vector);
+            }
+            target.start = pose;
+        }
+    }
+
+    void marks(const YamlEntry& entry) {
+        for (const YamlEntry& one : yaml_.map(entry.value, "'marks'", place_remedy)) {
+            Mark mark;
+            mark.name = one.name;
+            mark.written = one.written;
+            if (one.value.IsMap()) {
+                place(one, mark);
+            } else {
+                mark.place = yaml_.vector(one.value, place_remedy).value_or(mark.place);
+            }
+            marks_.push_back(one.name);
+            made_.problem.marks.push_back(std::move(mark));
+        }
+    }
+
+    void place(const YamlEntry& entry, Mark& mark) {
+        std::size_t places = 0;
+        for (const YamlEntry& one :
+             yaml_.map(entry.value, fmt::format("the mark '{}'", entry.name), place_remedy,
+                       {"point", "direction", "target", "near"})) {
+            if (one.name == "target") {
+                mark.target = index_of(one.value, targets_, "target");
+            } else if (one.name == "near") {
+                mark.near = position(one.value);
+            } else {
+                ++places;
+                mark.at_infinity = one.name == "direction";
+                mark.place = yaml_.vector(one.value, place_remedy).value_or(V3d(1.0));
+            }
+        }
+        if (places != 1) {
+            yaml_.error(entry.written,
+                        fmt::format("the mark '{}' is at {} place", entry.name,
+                                    places == 0 ? "no" : "more than one"),
+                        std::string(place_remedy));
+        } else if (mark.at_infinity && !(mark.place.length2() > 0.0)) {
+            yaml_.error(entry.written,
+                        fmt::format("the direction of the mark '{}' has no length", entry.name),
+                        "write a direction such as [1, 0, 0]");
+        } else if (mark.at_infinity && mark.target) {
+            yaml_.error(entry.written,
+                        fmt::format("the mark '{}' is a direction and belongs to a target",
+                                    entry.name),
+                        "remove the target, or write a point of it");
+        }
+    }
+
+    std::optional<std::size_t> index_of(const YAML::Node& node,
+                                        const std::vector<std::string>& names,
+                                        std::string_view what) {
+        const auto name = yaml_.word(node, fmt::format("write the name of a {}", what));
+        if (!name) {
+            return std::nullopt;
+        }
+        const auto found = std::find(names.begin(), names.end(), *name);
+        if (found == names.end()) {
+            yaml_.error(yaml_.at(node), fmt::format("there is no {} '{}'", what, *name),
+                        names.empty() ? fmt::format("add it to '{}s'", what)
+                                      : suggestion(*name, names, fmt::format("the {}s are", what)));
+            return std::nullopt;
+        }
+        return static_cast<std::size_t>(found - names.begin());
+    }
+
+    // ----------------------------------------------------------------------------- constraints
+    void constraints(const YamlEntry& entry) {
+        if (!entry.value.IsSequence()) {
+            yaml_.error(yaml_.at(entry.value), "'constraints' is not a list",
+                        std::string(constraint_remedy));
+            return;
+        }
+        for (const YAML::Node& row : entry.value) {
+            if (yaml_.goes_on()) {
+                constraint(row);
+            }
+        }
+    }
+
+    void constraint(const YAML::Node& row) {
+        std::vector<std::string> known = names_of_kinds();
+        known.insert(known.end(),
+                     {"position", "value", "distance", "deviation", "weight", "tolerance"});
+        const std::vector<YamlEntry> entries =
+            yaml_.map(row, "the constraint", constraint_remedy, known);
+        const YamlEntry* kind_entry = nullptr;
+        for (const YamlEntry& one : entries) {
+            if (kind_named(one.name) == nullptr) {
+                continue;
+            }
+            if (kind_entry != nullptr) {
+                yaml_.error(one.written,
+                            fmt::format("a constraint is not both '{}' and '{}'", kind_entry->name,
+                                        one.name),
+                            "write two rows");
+                return;
+            }
+            kind_entry = &one;
+        }
+        if (kind_entry == nullptr) {
+            if (row.IsMap() && (!has_errors(yaml_.found()) || !entries.empty())) {
+                yaml_.error(yaml_.at(row), "this constraint does not say what it demands",
+                            fmt::format("begin it with one of {}", one_of(names_of_kinds())));
+            }
+            return;
+        }
+        const ConstraintKindInfo& kind = *kind_named(kind_entry->name);
+        const std::size_t before = yaml_.found().size();
+        Constraint made;
+        made.kind = kind.kind;
+        made.written = kind_entry->written;
+        std::string label(kind.name);
+        subject(*kind_entry, kind, made, label);
+        details(entries, kind, made);
+        if (yaml_.found().size() == before) {
+            add(std::move(made), std::move(label));
+        }
+    }
+
+    /// The marks of a constraint, or its position.
+    void subject(const YamlEntry& entry, const ConstraintKindInfo& kind, Constraint& made,
+                 std::string& label) {
+        if (kind.marks == 0) {
+            made.position = position(entry.value).value_or(V2d(0.0));
+            label += fmt::format(" ({:g}, {:g})", made.position.x, made.position.y);
+            return;
+        }
+        const std::vector<YAML::Node> named = yaml_.list(entry.value);
+        if (named.size() != kind.marks) {
+            yaml_.error(yaml_.at(entry.value),
+                        fmt::format("'{}' takes {}, not {}", kind.name,
+                                    counted(kind.marks, "mark"), named.size()),
+                        fmt::format("it means that {}", kind.meaning));
+            return;
+        }
+        for (const YAML::Node& one : named) {
+            if (const auto mark = index_of(one, marks_, "mark")) {
+                made.marks.push_back(*mark);
+                label += fmt::format("{}{}", label == kind.name ? " " : ", ", marks_[*mark]);
+            }
+        }
+    }
+
+    void details(const std::vector<YamlEntry>& entries, const ConstraintKindInfo& kind,
+                 Constraint& made) {
+        bool has_position = false;
+        bool has_value = false;
+        for (const YamlEntry& one : entries) {
+            const auto only_of = [&](bool fits) {
+                if (!fits) {
+                    yaml_.error(one.written, fmt::format("'{}' has no {}", kind.name, one.name),
+                                fmt::format("remove it; '{}' means that {}", kind.name,
+                                            kind.meaning));
+                }
+                return fits;
+            };
+            if (one.name == "position" && only_of(kind.kind == ConstraintKind::at)) {
+                made.position = position(one.value).value_or(V2d(0.0));
+                has_position = true;
+            } else if (one.name == "value" && only_of(kind.value != ValueUse::none)) {
+                made.value = yaml_.plain_number(one.value, "write a number").value_or(0.0);
+                has_value = true;
+            } else if (one.name == "distance" && only_of(kind.marks == 0)) {
+                made.distance = yaml_.positive(one);
+            }
+        }
+        measure(entries, made);
+        if (kind.kind == ConstraintKind::at && !has_position) {
+            yaml_.error(made.written, "'at' has no position", "add position: [x, y] in pixels");
+        }
+        if (kind.value == ValueUse::must && !has_value) {
+            yaml_.error(made.written, fmt::format("'{}' has no value", kind.name),
+                        fmt::format("add value: NUMBER; '{}' means that {}", kind.name,
+                                    kind.meaning));
+        } else if (kind.kind == ConstraintKind::magnification && !(made.value > 0.0)) {
+            yaml_.error(made.written, "a magnification must be above 0", "write value: 500");
+        }
+    }
+
+    /// How much a miss counts.
+    void measure(const std::vector<YamlEntry>& entries, Constraint& made) {
+        const auto entry = [&](std::string_view name) -> const YamlEntry* {
+            for (const YamlEntry& one : entries) {
+                if (one.name == name) {
+                    return &one;
+                }
+            }
+            return nullptr;
+        };
+        if (const YamlEntry* const deviation = entry("deviation")) {
+            made.deviation = yaml_.positive(*deviation).value_or(1.0);
+        }
+        if (const YamlEntry* const weight = entry("weight")) {
+            made.deviation /= std::sqrt(yaml_.positive(*weight).value_or(1.0));
+        }
+        if (const YamlEntry* const tolerance = entry("tolerance")) {
+            made.tolerance = yaml_.positive(*tolerance);
+        }
+    }
+
+    void add(Constraint constraint, std::string label) {
+        made_.problem.constraints.push_back(std::move(constraint));
+        made_.labels.push_back(std::move(label));
+    }
+
+    // ---------------------------------------------------------------------------------- boards
+    void boards(const YamlEntry& entry) {
+        std::size_t number = 0;
+        for (const YAML::Node& one : yaml_.list(entry.value)) {
+            if (yaml_.goes_on()) {
+                board(one, ++number);
+            }
+        }
+    }
+
+    /// The corners of a chessboard, row by row, as OpenCV's findChessboardCorners gives them.
+    void board(const YAML::Node& node, std::size_t number) {
+        constexpr std::size_t most = 1000;
+        const std::string what = fmt::format("board {}", number);
+        std::size_t columns = 0;
+        std::size_t rows = 0;
+        double square = 1.0;
+        YAML::Node corners;
+        const std::vector<YamlEntry> entries = yaml_.map(
+            node, what, "write {columns: 9, rows: 6, square: 0.025, corners: [[x, y], ...]}",
+            {"columns", "rows", "square", "corners", "deviation", "weight", "tolerance"});
+        for (const YamlEntry& one : entries) {
+            if (one.name == "columns") {
+                columns = yaml_.count(one, most).value_or(0);
+            } else if (one.name == "rows") {
+                rows = yaml_.count(one, most).value_or(0);
+            } else if (one.name == "square") {
+                square = yaml_.positive(one).value_or(1.0);
+            } else if (one.name == "corners") {
+                corners.reset(one.value);
+            }
+        }
+        Constraint like;
+        measure(entries, like);
+        if (columns * rows == 0 || !corners.IsSequence() || corners.size() != columns * rows) {
+            yaml_.error(yaml_.at(corners.IsSequence() ? corners : node),
+                        fmt::format("{} needs columns x rows = {} corners, but has {}", what,
+                                    columns * rows, corners.IsSequence() ? corners.size() : 0),
+                        "write the positions of the inner corners row by row, with null for one "
+                        "that is not seen");
+            return;
+        }
+        solve::Target target;
+        target.name = what;
+        made_.problem.targets.push_back(target);
+        for (std::size_t i = 0; i < columns * rows && yaml_.goes_on(); ++i) {
+            const YAML::Node corner = corners[i];
+            if (!corner.IsNull()) {
+                like.written = yaml_.at(corner);
+                add_corner(corner, fmt::format("corner {} of {}", i + 1, what),
+                           square * V3d(static_cast<double>(i % columns),
+                                        static_cast<double>(i / columns), 0.0),
+                           like);
+            }
+        }
+    }
+
+    void add_corner(const YAML::Node& node, std::string label, const V3d& point, Constraint like) {
+        if (const auto at = position(node)) {
+            Mark mark;
+            mark.place = point;
+            mark.target = made_.problem.targets.size() - 1;
+            mark.name = label;
+            mark.written = like.written;
+            like.kind = ConstraintKind::at;
+            like.marks = {made_.problem.marks.size()};
+            like.position = *at;
+            made_.problem.marks.push_back(std::move(mark));
+            add(std::move(like), std::move(label));
+        }
+    }
+
+    std::shared_ptr<const SourceText> source_;
+    YamlEntries yaml_;
+    Marks made_;
+    std::vector<std::string> marks_;    ///< Names, by index.
+    std::vector<std::string> targets_;  ///< The same.
+    V2d from_corner_{0.0};              ///< Of the position [0, 0].
+};
+
+}  // namespace
+
+Result<Marks> read_marks(const std::shared_ptr<const SourceText>& text) {
+    return MarksReader(text).run();
+}
+
+Result<Marks> read_marks(const std::filesystem::path& file) {
+    constexpr std::size_t largest = 16'000'000;
+    if (const auto fault = not_a_file(file, fmt::format("'{}'", file.string()))) {
+        return *fault;
+    }
+    const auto source = data::read_text(data::File::on_disk(file), largest,
+                                        "write the marks as a text in YAML");
+    return source ? read_marks(*source) : Result<Marks>(source.diagnostics);
+}
+
+}  // namespace balcony::app

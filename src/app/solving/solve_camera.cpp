@@ -1,0 +1,218 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "app/solving/camera_problem.hpp"
+#include "app/solving/drawing_file.hpp"
+#include "app/words.hpp"
+#include "balcony/inputs.hpp"
+#include "balcony/output_file.hpp"
+#include "balcony/solving.hpp"
+#include "camera/catalogue/parameter_text.hpp"
+
+namespace balcony::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Angles become numbers of degrees, as files have them.
+double as_written(double value, const lang::OpenParameter& parameter) {
+    const double rounded = parameter.is_angle ? lang::in_degrees(value) : value;
+    return camera::contains(parameter.limits, rounded) ? rounded : value;
+}
+
+void add_parameters(const lang::OpenCamera& camera, SolveReport& report) {
+    for (std::size_t i = 0; i < camera.open.size(); ++i) {
+        const lang::OpenParameter& one = camera.open[i];
+        double& value = report.solution.values[i];
+        value = as_written(value, one);
+        report.parameters.push_back(
+            {one.name, one.is_angle, report.problem.unknowns[i].value, value,
+             report.solution.deviations[i],
+             value == one.value ? one.written : lang::literal(value, one.is_angle, one.written)});
+    }
+}
+
+void add_correlations(SolveReport& report) {
+    constexpr double strong = 0.98;
+    const std::size_t count = report.parameters.size();
+    const std::vector<double>& covariance = report.solution.covariance;
+    for (std::size_t i = 0; i < count; ++i) {
+        for (std::size_t j = i + 1; j < count; ++j) {
+            const double both = report.parameters[i].deviation * report.parameters[j].deviation;
+            const double value = covariance[i * count + j] / both;
+            if (std::isfinite(both) && both > 0.0 && std::abs(value) > strong) {
+                report.correlations.push_back(
+                    {report.parameters[i].name, report.parameters[j].name, value});
+            }
+        }
+    }
+}
+
+// The rows that are missed by far, the worst first.
+Diagnostics warn_of_misses(const SolveReport& report) {
+    constexpr double far = 5.0;  // Deviations.
+    constexpr std::size_t most = 5;
+    std::vector<std::size_t> rows;
+    for (std::size_t i = 0; i < report.problem.constraints.size(); ++i) {
+        if (!report.problem.constraints[i].tolerance &&
+            report.solution.misses[i].deviations > far) {
+            rows.push_back(i);
+        }
+    }
+    std::stable_sort(rows.begin(), rows.end(), [&](std::size_t a, std::size_t b) {
+        return report.solution.misses[a].deviations > report.solution.misses[b].deviations;
+    });
+    rows.resize(std::min(rows.size(), most));
+    Diagnostics found;
+    for (const std::size_t i : rows) {
+        found.push_back(warning(
+            fmt::format("'{}' is missed by {:.3g} standard deviations: the constraints contradict "
+                        "each other, or the camera cannot fulfil them",
+                        report.labels[i], report.solution.misses[i].deviations),
+            report.problem.constraints[i].written,
+            "correct the row, raise its deviation, give it a tolerance, or free more parameters"));
+    }
+    return found;
+}
+
+// The expressions that the new file has in place of others.
+std::vector<lang::Override> new_values(const SolveReport& report, const lang::OpenCamera& camera,
+                                       const std::vector<lang::Override>& given) {
+    std::vector<lang::Override> values;
+    for (const lang::Override& one : given) {
+        std::erase_if(values, [&](const lang::Override& other) { return other.name == one.name; });
+        values.push_back(one);
+    }
+    for (std::size_t i = 0; i < camera.open.size(); ++i) {
+        const SolvedParameter& solved = report.parameters[i];
+        if (solved.value != camera.open[i].value) {
+            std::erase_if(values,
+                          [&](const lang::Override& other) { return other.name == solved.name; });
+            values.push_back({solved.name, solved.written});
+        }
+    }
+    return values;
+}
+
+// What the file names, it looks for in its folder.
+Diagnostics warn_of_other_folder(const fs::path& camera, const fs::path& output,
+                                 const std::vector<fs::path>& files) {
+    std::error_code failed;
+    const fs::path from = fs::weakly_canonical(camera, failed).parent_path();
+    const fs::path to = fs::weakly_canonical(output, failed).parent_path();
+    if (output.empty() || files.size() < 2 || from == to) {
+        return {};
+    }
+    return {warning(fmt::format("'{}' names other files, which '{}' does not find in its folder",
+                                camera.string(), output.string()),
+                    {}, "write the output beside the camera file")};
+}
+
+Diagnostics check_outputs(const SolveRequest& request) {
+    if (request.output.empty()) {
+        return check_drawing_of(request);
+    }
+    if (ending_of(request.output) != ".cam") {
+        return {error(Kind::usage,
+                      fmt::format("the file extension of '{}' is not that of a camera file",
+                                  request.output.string()),
+                      "use a file name that ends in .cam")};
+    }
+    Diagnostics found = OutputFile::check(request.output);
+    add(found, check_drawing_of(request));
+    return found;
+}
+
+// The camera with the parameters open that are to be found.
+Result<lang::OpenCamera> open_camera(const CameraArgument& wanted, const Marks& marks,
+                                     lang::Workspace& workspace) {
+    const auto all = workspace.make_open_camera(wanted.file, wanted.name, wanted.overrides);
+    if (!all) {
+        return all.diagnostics;
+    }
+    const auto names = wanted_parameters(marks, *all);
+    return names ? workspace.make_open_camera(wanted.file, wanted.name, wanted.overrides, *names)
+                 : Result<lang::OpenCamera>(names.diagnostics);
+}
+
+}  // namespace
+
+Result<SolveReport> solve_camera(const SolveRequest& request, const std::stop_token& stop) {
+    Diagnostics found = check_outputs(request);
+    const Result<CameraArgument> wanted = read_camera(request.camera, request.set);
+    if (add(found, wanted.diagnostics) || has_errors(found)) {
+        return found;
+    }
+    const Result<Marks> marks = read_marks(request.marks);
+    if (add(found, marks.diagnostics)) {
+        return found;
+    }
+    lang::Workspace workspace;
+    workspace.stop_with(stop);
+    const Result<lang::OpenCamera> camera = open_camera(*wanted, *marks, workspace);
+    if (add(found, camera.diagnostics)) {
+        return found;
+    }
+    std::vector<fs::path> files = workspace.files();
+    add(found, warn_of_other_folder(wanted->file, request.output, files));
+    files.push_back(request.marks);
+    files.push_back(request.over);
+    for (const auto& [output, option] :
+         {std::pair(request.output, "--output"), std::pair(request.drawing, "--drawing")}) {
+        if (!output.empty() && add(found, check_overwrites(output, files, option))) {
+            return found;
+        }
+    }
+    Result<solve::Problem> problem = problem_of(*marks, *camera);
+    if (add(found, problem.diagnostics)) {
+        return found;
+    }
+    SolveReport report;
+    report.camera = camera->camera.name();
+    report.width = marks->width;
+    report.height = marks->height;
+    report.problem = std::move(*problem);
+    report.labels = marks->labels;
+    solve::Options options;
+    options.starts = request.starts;
+    options.errors.emplace();
+    Result<solve::Solution> solution =
+        solve::solve(camera->camera, static_cast<double>(report.width),
+                     static_cast<double>(report.height), report.problem, options, stop);
+    if (add(found, solution.diagnostics)) {
+        return found;
+    }
+    report.solution = std::move(*solution);
+    add_parameters(*camera, report);
+    add_correlations(report);
+    add(found, warn_of_misses(report));
+    Result<std::string> text = workspace.with_values(
+        wanted->file, report.camera, new_values(report, *camera, wanted->overrides));
+    if (!text) {
+        add(found, text.diagnostics);
+        return found;
+    }
+    report.text = std::move(*text);
+    if ((!request.output.empty() && add(found, write_whole(request.output, report.text))) ||
+        add(found, write_drawing_of(report, request))) {
+        return found;
+    }
+    return {std::move(report), std::move(found)};
+}
+
+std::vector<std::string> settings_of(const SolveReport& report) {
+    std::vector<std::string> made;
+    for (const SolvedParameter& one : report.parameters) {
+        made.push_back(fmt::format("{}={}", one.name, one.written));
+    }
+    return made;
+}
+
+}  // namespace balcony::app

@@ -1,0 +1,197 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "cli/report/solve_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "balcony/names.hpp"
+
+namespace balcony::cli {
+
+namespace {
+
+using nlohmann::json;
+
+// A number with its unit in few digits.
+std::string in_words(double value, bool is_angle) {
+    return is_angle ? fmt::format("{:.6g}deg", value * 180.0 / std::numbers::pi)
+                    : fmt::format("{:.6g}", value);
+}
+
+json finite(double value) { return std::isfinite(value) ? json(value) : json(); }
+
+std::string parameters_text(const app::SolveReport& report) {
+    std::size_t longest = 9;
+    for (const app::SolvedParameter& one : report.parameters) {
+        longest = std::max(longest, one.name.size());
+    }
+    std::string text = fmt::format("{:<{}}  {:>14}  {:>14}  {:>14}\n", "parameter", longest, "value",
+                                   "deviation", "first");
+    for (const app::SolvedParameter& one : report.parameters) {
+        text += fmt::format("{:<{}}  {:>14}  {:>14}  {:>14}\n", printable(one.name), longest,
+                            in_words(one.value, one.is_angle),
+                            std::isfinite(one.deviation) ? in_words(one.deviation, one.is_angle)
+                                                         : "not determined",
+                            in_words(one.first, one.is_angle));
+    }
+    for (const app::Correlation& one : report.correlations) {
+        text += fmt::format("{} and {} are correlated: {:.4f}\n", printable(one.first),
+                            printable(one.second), one.value);
+    }
+    return text;
+}
+
+// What a constraint misses: its numbers, of which marks have pixels.
+std::string miss_text(const solve::Miss& miss) {
+    std::string text;
+    for (std::size_t i = 0; i < miss.count; ++i) {
+        text += fmt::format("{}{:.4g}", i == 0 ? "" : ", ", miss.by[i]);
+    }
+    return text;
+}
+
+std::string constraints_text(const app::SolveReport& report) {
+    constexpr std::size_t most = 40;
+    const std::size_t count = report.labels.size();
+    // The worst of many.
+    std::vector<std::size_t> rows(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        rows[i] = i;
+    }
+    if (count > most) {
+        std::stable_sort(rows.begin(), rows.end(), [&](std::size_t a, std::size_t b) {
+            return report.solution.misses[a].deviations > report.solution.misses[b].deviations;
+        });
+        rows.resize(most / 4);
+    }
+    std::size_t longest = 10;
+    for (const std::size_t i : rows) {
+        longest = std::max(longest, report.labels[i].size());
+    }
+    std::string text =
+        fmt::format("{:<{}}  {:>20}  {:>10}\n", "constraint", longest, "missed by", "deviations");
+    for (const std::size_t i : rows) {
+        const solve::Miss& miss = report.solution.misses[i];
+        text += fmt::format("{:<{}}  {:>20}  {:>10.3g}\n", printable(report.labels[i]), longest,
+                            miss_text(miss), miss.deviations);
+    }
+    if (count > most) {
+        text += fmt::format("... of {} constraints, the ones that are missed most\n", count);
+    }
+    return text;
+}
+
+// Root mean square of what marks miss their positions by, in pixels; nothing without positions.
+std::optional<double> position_error(const app::SolveReport& report) {
+    double squares = 0.0;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < report.problem.constraints.size(); ++i) {
+        if (report.problem.constraints[i].kind == solve::ConstraintKind::at) {
+            const auto& by = report.solution.misses[i].by;
+            squares += by[0] * by[0] + by[1] * by[1];
+            ++count;
+        }
+    }
+    return count > 0 ? std::optional(std::sqrt(squares / static_cast<double>(count)))
+                     : std::nullopt;
+}
+
+struct ErrorSummary {
+    double least = 0.0, median = 0.0, most = 0.0;
+};
+std::optional<ErrorSummary> summary_of(const std::vector<std::optional<double>>& errors) {
+    std::vector<double> known;
+    for (const auto& one : errors) {
+        if (one) {
+            known.push_back(*one);
+        }
+    }
+    if (known.empty()) {
+        return std::nullopt;
+    }
+    std::sort(known.begin(), known.end());
+    return ErrorSummary{known.front(), known[known.size() / 2], known.back()};
+}
+
+json pose_json(const solve::Pose& pose) {
+    return {{"rotation", {pose.rotation.x, pose.rotation.y, pose.rotation.z}},
+            {"translation", {pose.translation.x, pose.translation.y, pose.translation.z}}};
+}
+
+}  // namespace
+
+std::string to_text(const app::SolveReport& report) {
+    std::string text =
+        fmt::format("{}, {} x {} pixels: {} after {}\n\n", printable(report.camera), report.width,
+                    report.height, report.solution.converged ? "solved" : "not solved",
+                    counted(report.solution.iterations, "iteration"));
+    text += parameters_text(report) + "\n" + constraints_text(report) + "\n";
+    if (const auto error = position_error(report)) {
+        text += fmt::format("marks miss their positions by {:.4g} pixels (root mean square)\n",
+                            *error);
+    }
+    if (const auto errors = summary_of(report.solution.errors)) {
+        text += fmt::format(
+            "expected uncertainty of projections: {:.3g} to {:.3g} pixels, median {:.3g}\n",
+            errors->least, errors->most, errors->median);
+    }
+    return text;
+}
+
+json to_json(const app::SolveReport& report) {
+    const solve::Solution& solution = report.solution;
+    json document{{"camera", report.camera},         {"width", report.width},
+                  {"height", report.height},         {"converged", solution.converged},
+                  {"iterations", solution.iterations}, {"cost", solution.cost},
+                  {"parameters", json::array()},     {"correlations", json::array()},
+                  {"targets", json::array()},        {"marks", json::array()},
+                  {"constraints", json::array()},    {"text", report.text}};
+    for (const app::SolvedParameter& one : report.parameters) {
+        document["parameters"].push_back({{"name", one.name},
+                                          {"value", one.value},
+                                          {"written", one.written},
+                                          {"is_angle", one.is_angle},
+                                          {"first", one.first},
+                                          {"deviation", finite(one.deviation)}});
+    }
+    for (const app::Correlation& one : report.correlations) {
+        document["correlations"].push_back(
+            {{"between", {one.first, one.second}}, {"value", one.value}});
+    }
+    for (std::size_t i = 0; i < solution.poses.size(); ++i) {
+        json target = pose_json(solution.poses[i]);
+        target["name"] = report.problem.targets[i].name;
+        document["targets"].push_back(std::move(target));
+    }
+    for (std::size_t i = 0; i < solution.seen.size(); ++i) {
+        const auto& seen = solution.seen[i];
+        document["marks"].push_back({{"name", report.problem.marks[i].name},
+                                     {"seen", seen ? json{seen->x, seen->y} : json()}});
+    }
+    for (std::size_t i = 0; i < solution.misses.size(); ++i) {
+        const solve::Miss& miss = solution.misses[i];
+        document["constraints"].push_back(
+            {{"name", report.labels[i]},
+             {"missed_by", std::vector<double>(miss.by.begin(),
+                                               miss.by.begin() +
+                                                   static_cast<std::ptrdiff_t>(miss.count))},
+             {"deviations", miss.deviations}});
+    }
+    const auto errors = summary_of(solution.errors);
+    document["uncertainty"] =
+        errors ? json{{"least", finite(errors->least)},
+                      {"median", finite(errors->median)},
+                      {"most", finite(errors->most)}}
+               : json();
+    return document;
+}
+
+}  // namespace balcony::cli

@@ -1,0 +1,224 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Files of marks: what is read of them, and what is said of each mistake and where.
+
+#include <gtest/gtest.h>
+
+#include "balcony/solving.hpp"
+
+namespace balcony::app::marks_test {
+namespace {
+
+using solve::ConstraintKind;
+using solve::V2d;
+using solve::V3d;
+
+Result<Marks> read(const std::string& text) {
+    return read_marks(std::make_shared<const SourceText>("marks.yml", text));
+}
+
+const std::string whole = R"(# What the photo shows.
+size: [640, 480]
+axes: y_up
+unknowns:
+  fov: {start: 50deg, range: [20deg, 1.5rad], deviation: 5deg}
+  px:
+fixed: [roll]
+targets:
+  box: {start: {rotation: [0, 0, 1], translation: [1, 2, 3]}}
+  board:
+marks:
+  gable: [20, 4, -1.6]
+  east: {direction: [0, 1, 0], near: [600, 100]}
+  lid: {point: [0, 0, 1], target: box}
+constraints:
+  - {at: gable, position: [155, 347], deviation: 0.5, weight: 4}
+  - level: [gable, lid]
+    tolerance: 3
+  - {inside: east}
+  - {ratio: [gable, lid, gable, east], value: 2}
+  - {magnification: [320, 240], value: 500, distance: 3}
+  - {isotropic: [100, 50]}
+boards:
+  - {columns: 2, rows: 2, square: 0.5, corners: [[1, 2], null, [3, 4], [5, 6]], deviation: 0.2}
+)";
+
+/// A file with one mistake: what is said of it, with the place as line:column.
+struct Mistake {
+    std::string text;
+    std::string place;
+    std::string message;
+    std::string remedy;
+};
+
+std::string replaced(const std::string& old, const std::string& by) {
+    std::string text = whole;
+    const std::size_t at = text.find(old);
+    EXPECT_NE(at, std::string::npos) << old;
+    return text.replace(at, old.size(), by);
+}
+
+}  // namespace
+
+TEST(Marks, AFileHasAllOfAProblem) {
+    const auto marks = read(whole);
+    ASSERT_TRUE(marks) << to_text(marks.diagnostics);
+    EXPECT_TRUE(marks.diagnostics.empty());
+    EXPECT_EQ(marks->width, 640U);
+    EXPECT_EQ(marks->height, 480U);
+    EXPECT_EQ(marks->axes, Axes::y_up);
+    ASSERT_TRUE(marks->unknowns && marks->fixed);
+    ASSERT_EQ(marks->unknowns->size(), 2U);
+    const Marks::Parameter& fov = marks->unknowns->front();
+    EXPECT_EQ(fov.name, "fov");
+    EXPECT_NEAR(fov.start->value, 0.8726646259971648, 1e-15);
+    EXPECT_TRUE(fov.start->is_angle);
+    EXPECT_EQ((*fov.range)[1].value, 1.5);
+    EXPECT_NEAR(fov.deviation->value, 0.08726646259971647, 1e-16);
+    EXPECT_FALSE((*marks->unknowns)[1].start);
+    EXPECT_EQ(marks->fixed->front().name, "roll");
+
+    const solve::Problem& problem = marks->problem;
+    ASSERT_EQ(problem.targets.size(), 3U);
+    EXPECT_EQ(problem.targets[0].start->translation, V3d(1, 2, 3));
+    EXPECT_FALSE(problem.targets[1].start);
+    EXPECT_EQ(problem.targets[2].name, "board 1");
+    ASSERT_EQ(problem.marks.size(), 6U);
+    EXPECT_EQ(problem.marks[0].place, V3d(20, 4, -1.6));
+    EXPECT_TRUE(problem.marks[1].at_infinity);
+    EXPECT_EQ(problem.marks[1].near, V2d(600, 100));
+    EXPECT_EQ(problem.marks[2].target, 0U);
+    EXPECT_EQ(problem.marks[5].place, V3d(0.5, 0.5, 0));
+    EXPECT_EQ(problem.marks[5].target, 2U);
+
+    ASSERT_EQ(problem.constraints.size(), 9U);
+    EXPECT_EQ(problem.constraints[0].kind, ConstraintKind::at);
+    EXPECT_EQ(problem.constraints[0].position, V2d(155, 347));
+    EXPECT_EQ(problem.constraints[0].deviation, 0.25);
+    EXPECT_EQ(problem.constraints[1].tolerance, 3.0);
+    EXPECT_EQ(problem.constraints[3].marks, (std::vector<std::size_t>{0, 2, 0, 1}));
+    EXPECT_EQ(problem.constraints[4].distance, 3.0);
+    EXPECT_EQ(problem.constraints[5].position, V2d(100, 50));
+    EXPECT_EQ(problem.constraints[7].position, V2d(3, 4));
+    EXPECT_EQ(problem.constraints[8].deviation, 0.2);
+    EXPECT_EQ(marks->labels[1], "level gable, lid");
+    EXPECT_EQ(marks->labels[8], "corner 4 of board 1");
+}
+
+TEST(Marks, PixelCentersAreHalfAPixelFromCorners) {
+    const auto marks = read(replaced("axes: y_up", "origin: pixel_center"));
+    ASSERT_TRUE(marks) << to_text(marks.diagnostics);
+    EXPECT_EQ(marks->problem.constraints[0].position, V2d(155.5, 347.5));
+    EXPECT_EQ(marks->problem.constraints[8].position, V2d(5.5, 6.5));
+    EXPECT_EQ(marks->problem.marks[1].near, V2d(600.5, 100.5));
+}
+
+TEST(Marks, EachMistakeIsSaidWhereItIs) {
+    const std::vector<Mistake> mistakes{
+        {replaced("size: [640, 480]", "sice: [640, 480]"), "2:1", "the file has no entry 'sice'",
+         "did you mean 'size'?"},
+        {replaced("size: [640, 480]\n", ""), "1:1", "the size of the picture is missing",
+         "write its width and height in pixels: size: [1920, 1080]"},
+        {replaced("[640, 480]", "[640, 0]"), "2:7", "a picture cannot have 640 x 0 pixels",
+         "write two whole numbers from 1 to 1000000"},
+        {replaced("y_up", "x_up"), "3:7", "there are no axes 'x_up'", "write y_up or z_up"},
+        {replaced("axes: y_up", "origin: middle"), "3:9", "there is no origin 'middle'",
+         "write pixel_center, as OpenCV counts, or pixel_corner"},
+        {replaced("50deg", "fifty"), "5:16", "'fifty' is not a finite number",
+         "write a number with the unit that the parameter has: 55deg"},
+        {replaced("[20deg, 1.5rad]", "[90deg, 20deg]"), "5:30", "this range contains nothing",
+         "write the smallest and the largest value: [20deg, 90deg]"},
+        {replaced("deviation: 5deg", "deviation: 0deg"), "5:58", "a deviation must be above 0",
+         "leave it out if nothing is known about the parameter"},
+        {replaced("deviation: 5deg", "sigma: 5deg"), "5:47", "'fov' has no entry 'sigma'",
+         "its entries are 'start', 'range' and 'deviation'"},
+        {replaced("  px:\n", "  fov:\n"), "6:3", "'fov' is given twice", "remove one of the two"},
+        {replaced("gable: [20, 4, -1.6]", "gable: [20, 4]"), "12:10",
+         "expected 3 numbers in brackets",
+         "write a point of space as [x, y, z], or as {point: [x, y, z]} or {direction: [x, y, z]} "
+         "with more about it"},
+        {replaced("{direction: [0, 1, 0], near: [600, 100]}", "{near: [600, 100]}"), "13:3",
+         "the mark 'east' is at no place",
+         "write a point of space as [x, y, z], or as {point: [x, y, z]} or {direction: [x, y, z]} "
+         "with more about it"},
+        {replaced("direction: [0, 1, 0]", "direction: [0, 0, 0]"), "13:3",
+         "the direction of the mark 'east' has no length", "write a direction such as [1, 0, 0]"},
+        {replaced("target: box", "target: bos"), "14:35", "there is no target 'bos'",
+         "did you mean 'box'?"},
+        {replaced("point: [0, 0, 1], target", "direction: [0, 0, 1], target"), "14:3",
+         "the mark 'lid' is a direction and belongs to a target",
+         "remove the target, or write a point of it"},
+        {replaced("at: gable", "at: gabel"), "16:10", "there is no mark 'gabel'",
+         "did you mean 'gable'?"},
+        {replaced("at: gable, position", "att: gable, position"), "16:6",
+         "the constraint has no entry 'att'", "did you mean 'at'?"},
+        {replaced(", position: [155, 347]", ""), "16:6", "'at' has no position",
+         "add position: [x, y] in pixels"},
+        {replaced("deviation: 0.5", "deviation: -1"), "16:50", "'deviation' must be above 0",
+         "write a number above 0, such as deviation: 0.5"},
+        {replaced("deviation: 0.5", "deviation: 1deg"), "16:50", "this number must have no unit",
+         "write a number above 0, such as deviation: 0.5"},
+        {replaced("level: [gable, lid]", "level: gable"), "17:12",
+         "'level' takes 2 marks, not 1", "it means that two marks appear at one height"},
+        {replaced("{inside: east}", "{inside: east, distance: 2}"), "19:20",
+         "'inside' has no distance",
+         "remove it; 'inside' means that a mark is in the picture, so many pixels from its border"},
+        {replaced("{inside: east}", "{inside: east, outside: lid}"), "19:20",
+         "a constraint is not both 'inside' and 'outside'", "write two rows"},
+        {replaced("{inside: east}", "{deviation: 1}"), "19:5",
+         "this constraint does not say what it demands",
+         "begin it with one of 'at', 'together', 'inside', 'outside', 'straight', 'level', "
+         "'upright', 'parallel', 'length', 'ratio', 'magnification', 'isotropic' or 'unfolded'"},
+        {replaced(", value: 2}", "}"), "20:6", "'ratio' has no value",
+         "add value: NUMBER; 'ratio' means that the first two marks are so many times as far apart "
+         "as the other two"},
+        {replaced("value: 500", "value: 0"), "21:6", "a magnification must be above 0",
+         "write value: 500"},
+        {replaced("[1, 2], null,", "[1, 2],"), "24:49",
+         "board 1 needs columns x rows = 4 corners, but has 3",
+         "write the positions of the inner corners row by row, with null for one that is not seen"},
+        {replaced("columns: 2", "columns: 0"), "24:15",
+         "'columns' must be a whole number from 1 to 1000", "write columns: 9"},
+        {replaced("{inside: east}", "{at: gable, position: [156, 357]}"), "19:6",
+         "the mark 'gable' is to appear at two positions, 10 pixels apart",
+         "remove one of the two rows, or give them a tolerance"},
+        {replaced("{isotropic: [100, 50]}", "{outside: east}"), "22:6",
+         "the mark 'east' is to be inside and outside the picture",
+         "remove one of the two rows, or give them a tolerance"},
+        {"size: [640, 480]\nmarks: {a: [1, 2, 3]}\n", "1:1", "there is no constraint",
+         "say what the picture is to show: constraints: [{at: MARK, position: [x, y]}]"},
+        {"- 1", "1:1", "the file has no entries",
+         "a file of marks has the entries size, marks and constraints, or boards"},
+    };
+    for (const Mistake& mistake : mistakes) {
+        const auto marks = read(mistake.text);
+        ASSERT_FALSE(marks) << mistake.text;
+        const Diagnostic& said = marks.diagnostics.front();
+        SCOPED_TRACE(to_text(said));
+        EXPECT_EQ(said.message, mistake.message);
+        EXPECT_EQ(said.remedy, mistake.remedy);
+        ASSERT_TRUE(said.span.source);
+        const LineColumn place = said.span.source->locate(said.span.begin);
+        EXPECT_EQ(std::to_string(place.line) + ":" + std::to_string(place.column), mistake.place);
+    }
+}
+
+TEST(Marks, WhatIsNotYamlIsSaidSo) {
+    const auto marks = read("size: [640");
+    ASSERT_FALSE(marks);
+    EXPECT_TRUE(marks.diagnostics.front().message.starts_with("this is not YAML: "));
+    EXPECT_FALSE(read(""));
+}
+
+TEST(Marks, AllMistakesAreSaidAtOnceButNotTooMany) {
+    std::string text = "size: [640, 480]\nconstraints:\n";
+    for (int i = 0; i < 100; ++i) {
+        text += "  - {at: nothing, position: [1, 2]}\n";
+    }
+    const auto marks = read(text);
+    EXPECT_GE(marks.diagnostics.size(), 20U);
+    EXPECT_LT(marks.diagnostics.size(), 25U);
+}
+
+}  // namespace balcony::app::marks_test

@@ -1,0 +1,179 @@
+# Balcony: rendering through extended cameras.
+# SPDX-License-Identifier: Apache-2.0
+"""balcony solve: parameters of a camera by what its picture is to show."""
+
+import math
+
+import support
+
+CAMERA = """// A photo of the facade.
+camera photo(fov = 60deg from 10deg to 150deg,  // across
+             yaw = 0deg, px = 0, count = 3) {
+    let half = tan(fov/2)
+    map    u = half .. -half, v = square
+    eye    point(px, 0, 0)
+    toward plane((1, 0, 0))
+    move   rotate(z, yaw + 0deg*count)
+}
+"""
+
+# A camera with fov = 80deg and yaw = 20deg shows these where they are demanded.
+TURN = math.radians(20)
+HALF = math.tan(math.radians(40))
+
+
+def position(point):
+    x = math.cos(TURN) * point[0] + math.sin(TURN) * point[1]
+    y = -math.sin(TURN) * point[0] + math.cos(TURN) * point[1]
+    return 200 * (1 - y / x / HALF), 150 - 200 * point[2] / x / HALF
+
+
+POINTS = {"door": (10, 2, -1), "gable": (10, 6, 3), "sign": (8, 1, 1)}
+
+
+def marks(**changes):
+    rows = {"size": "[400, 300]", "unknowns": "[fov, yaw]",
+            "marks": "{" + ", ".join(f"{name}: [{x}, {y}, {z}]"
+                                     for name, (x, y, z) in POINTS.items()) + "}",
+            "constraints": "".join(
+                "\n  - {at: %s, position: [%.9f, %.9f], deviation: 0.5}" % (name, *position(point))
+                for name, point in POINTS.items())}
+    rows.update(changes)
+    return "".join(f"{name}: {row}\n" for name, row in rows.items() if row)
+
+
+class Solve(support.CommandTest):
+    def setUp(self):
+        super().setUp()
+        (self.folder / "photo.cam").write_text(CAMERA)
+        (self.folder / "marks.yml").write_text(marks())
+
+    def solved(self, *words, text=None):
+        if text is not None:
+            (self.folder / "marks.yml").write_text(text)
+        return self.json_of("solve", "photo.cam", "--with", "marks.yml", *words)
+
+    def test_the_camera_that_made_the_marks_is_found(self):
+        document = self.solved("-o", "solved.cam")
+        self.assertEqual(document["diagnostics"], [])
+        fov, yaw = document["parameters"]
+        self.assertAlmostEqual(math.degrees(fov["value"]), 80, 6)
+        self.assertAlmostEqual(math.degrees(yaw["value"]), 20, 6)
+        self.assertEqual(fov["first"], math.radians(60))
+        self.assertTrue(0 < fov["deviation"] < 0.01)
+        self.assertEqual([row["name"] for row in document["constraints"]],
+                         ["at door", "at gable", "at sign"])
+        for row in document["constraints"]:
+            self.assertLess(row["deviations"], 1e-6)
+        # Comments and layout stay, and the new file has the very numbers.
+        text = (self.folder / "solved.cam").read_text()
+        expected = CAMERA.replace("60deg", fov["written"]).replace(
+            "yaw = 0deg", "yaw = " + yaw["written"])
+        self.assertEqual(text, expected)
+        self.assertEqual(document["text"], expected)
+        for point in POINTS.values():
+            (found,) = self.json_of("locate", "solved.cam", "--size", "400x300", "--point",
+                                    "%s,%s,%s" % point)["points"]
+            x, y = position(point)
+            self.assertAlmostEqual(found["sightings"][0]["x"], x, 5)
+            self.assertAlmostEqual(found["sightings"][0]["y"], y, 5)
+
+    def test_the_table_has_parameters_and_constraints(self):
+        out, err = self.run_command("solve", "photo.cam", "--with", "marks.yml")
+        self.assertEqual(err, "")
+        self.assertIn("photo, 400 x 300 pixels: solved after", out)
+        self.assertRegex(out, r"\nfov +80deg +0\.\d+deg +60deg\n")
+        self.assertIn("\nat gable ", out)
+        self.assertIn("expected uncertainty of projections: ", out)
+
+    def test_values_that_are_set_are_in_the_new_file(self):
+        document = self.solved("--set", "px=1/2", "--set", "fov=70deg", "-o", "solved.cam",
+                               text=marks(unknowns="[yaw]"))
+        self.assertIn("fov = 70deg from", document["text"])
+        self.assertIn("px = 1/2", document["text"])
+
+    def test_what_is_unknown(self):
+        def names(text):
+            return [one["name"] for one in self.solved(text=text)["parameters"]]
+
+        self.assertEqual(names(marks(fixed="[count, px]", unknowns=None)), ["fov", "yaw"])
+        self.assertEqual(names(marks(unknowns="[yaw]")), ["yaw"])
+        self.assertEqual(names(marks(unknowns="{yaw: {start: 10deg}}", fixed="[count, px]")),
+                         ["fov", "yaw"])
+
+    def test_a_render_shows_the_marks(self):
+        self.run_command("render", "scene.obj", "--camera", "photo.cam", "--solve", "marks.yml",
+                         "--size", "16x12", "-s", "1", "-o", "a.png")
+        self.solved("-o", "solved.cam")
+        self.run_command("render", "scene.obj", "--camera", "solved.cam", "--size", "16x12", "-s",
+                         "1", "-o", "b.png")
+        self.assertEqual((self.folder / "a.png").read_bytes(), (self.folder / "b.png").read_bytes())
+        self.refused("render", "scene.obj", "--solve", "marks.yml", code=2,
+                     says="--solve needs a camera of a file")
+        self.refused("render", "scene.obj", "--camera", "pinhole", "--fit", "--solve", "marks.yml",
+                     code=2, says="--solve and a camera that the scene places")
+
+    def test_drawings(self):
+        self.run_command("solve", "photo.cam", "--with", "marks.yml", "--drawing", "misses.svg")
+        svg = (self.folder / "misses.svg").read_text()
+        self.assertEqual(svg.count('class="mark"'), 3)
+        self.assertEqual(svg.count('class="miss"'), 3)
+        self.assertIn(">gable</text>", svg)
+        self.run_command("render", "scene.obj", "--camera", "photo.cam", "--size", "400x300", "-s",
+                         "1", "-o", "photo.png")
+        self.run_command("solve", "photo.cam", "--with", "marks.yml", "--drawing", "over.png",
+                         "--over", "photo.png")
+        self.assertTrue((self.folder / "over.png").read_bytes().startswith(b"\x89PNG"))
+        self.refused("solve", "photo.cam", "--with", "marks.yml", "--drawing", "over.svg", "--over",
+                     "photo.png", code=2, says="'over.svg' has no pixels")
+        self.refused("solve", "photo.cam", "--with", "marks.yml", "--over", "photo.png", code=2,
+                     says="there is no drawing to put over a picture")
+        (self.folder / "marks.yml").write_text(marks(size="[401, 300]"))
+        self.refused("solve", "photo.cam", "--with", "marks.yml", "--drawing", "over.png", "--over",
+                     "photo.png", code=1, says="'photo.png' has 400 x 300 pixels")
+
+    def test_mistakes_have_a_place(self):
+        def refused(text, says, place):
+            (self.folder / "marks.yml").write_text(text)
+            self.refused("solve", "photo.cam", "--with", "marks.yml", code=1, says=says)
+            self.refused("solve", "photo.cam", "--with", "marks.yml", code=1, says=place)
+
+        refused(marks(unknowns="[fob]"), "the camera 'photo' has no parameter 'fob'",
+                "marks.yml:2:12")
+        refused(marks(unknowns="{fov: {start: 50}}"), "'fov' is an angle, but this is a plain",
+                "marks.yml:2:25")
+        refused(marks(unknowns="{px: {start: 1deg}}"), "'px' is a plain number, but this is an",
+                "marks.yml:2:24")
+        refused(marks(unknowns="{fov: {start: 9deg}}"),
+                "the search for 'fov' begins at 9deg, outside its range", "marks.yml:2:25")
+        refused(marks(fixed="[yaw]"), "'yaw' is both unknown and fixed", "marks.yml:")
+        refused(marks(unknowns="[yaw]", constraints="[{at: door, position: [1, 2]}]",
+                      marks="{door: {point: [-10, 0, 0]}, level: [10, 0, 0]}",
+                      axes="y_down"), "there are no axes 'y_down'", "marks.yml:5:7")
+        refused(marks(constraints="[{level: [door, back]}]", marks="{door: [10, 0, 0], back: "
+                      "[-10, 0, 0]}"), "no ray of the first values meets the mark 'back'",
+                "marks.yml:3:27")
+
+    def test_doubts_are_warnings(self):
+        def said(text):
+            return [one["message"] for one in self.solved(text=text)["diagnostics"]]
+
+        self.assertEqual(said(marks(unknowns="[px]", constraints="[{level: [door, door]}]")),
+                         ["the constraints do not determine 'px'"])
+        (missed, *_) = said(marks(unknowns="[yaw]"))
+        self.assertRegex(missed, r"^'at gable' is missed by \d+\.\d standard deviations")
+        few = said(marks(unknowns="[fov, yaw, px]", constraints="[{at: door, position: [1, 2]}]"))
+        self.assertIn("the constraints are 2 equations, too few for 3 unknown numbers", few)
+
+    def test_outputs(self):
+        self.refused("solve", "photo.cam", "--with", "marks.yml", "-o", "photo.cam", code=2,
+                     says="photo.cam")
+        self.refused("solve", "photo.cam", "--with", "marks.yml", "-o", "solved.txt", code=2,
+                     says="the file extension of 'solved.txt' is not that of a camera file")
+        self.refused("solve", "photo.cam", "--with", "none.yml", code=1,
+                     says="there is no file 'none.yml'")
+        self.assertEqual((self.folder / "photo.cam").read_text(), CAMERA)
+
+
+if __name__ == "__main__":
+    support.main()
