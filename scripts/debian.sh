@@ -3,6 +3,11 @@
 #
 # For scripts that need a Debian system of its own.
 
+# system_folder NAME: where scripts/try-on keeps a system, its build folder and its ccache.
+system_folder() {
+    printf '%s/%s\n' "${BALCONY_SYSTEMS:-${XDG_CACHE_HOME:-$HOME/.cache}/balcony/systems}" "$1"
+}
+
 # debian_system SUITE TARGET OPTION...: makes one by mmdebstrap, from the package source of this
 # machine.
 debian_system() {

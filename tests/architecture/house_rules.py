@@ -16,7 +16,7 @@ import re
 import sys
 from pathlib import Path
 
-FOLDERS = ("include", "src", "tests", "plates", "bench", "cmake", "scripts", ".ci")
+FOLDERS = ("include", "src", "tests", "plates", "bench", "cmake", "scripts", "debian", ".ci")
 CODE_SUFFIXES = {".cpp", ".hpp", ".h", ".inl", ".py", ".sh"}
 LONGEST_FILE = 500
 LARGEST_PICTURE = 300_000

@@ -3,11 +3,14 @@
 """scripts/release in a small repository, with a stand-in for what builds."""
 
 import os
+import re
 import shutil
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
+from email.utils import parsedate_to_datetime
 from pathlib import Path
 
 REPOSITORY = Path(sys.argv.pop(1)).resolve()
@@ -19,7 +22,7 @@ class Release(unittest.TestCase):
     def setUp(self):
         self.folder = Path(tempfile.mkdtemp(prefix="balcony-release-"))
         self.addCleanup(shutil.rmtree, self.folder)
-        for name in ("scripts/common.sh", "scripts/release", "CMakeLists.txt"):
+        for name in ("scripts/common.sh", "scripts/release", "CMakeLists.txt", "debian/changelog"):
             (self.folder / name).parent.mkdir(exist_ok=True)
             shutil.copy(REPOSITORY / name, self.folder / name)
         (self.folder / "scripts" / "package").write_text(PACKAGE)
@@ -59,13 +62,17 @@ class Release(unittest.TestCase):
         self.release("0.2.0", 0, "Version 0.2.0 is committed and tagged")
         self.assertEqual(self.git("status", "--porcelain"), "")
         self.assertEqual(self.git("tag", "--points-at", "HEAD"), "v0.2.0\n")
-        self.assertEqual((self.folder / "build/package/done").read_text(),
-                         "package \npackage try bookworm\npackage try trixie\n")
+        steps = [f"package {step} {suite}\n" for suite in ("bookworm", "trixie")
+                 for step in ("try", "deb", "reproduce", "try-deb")]
+        self.assertEqual((self.folder / "build/package/done").read_text(), "package \n" + "".join(steps))
         for name, text in (("CMakeLists.txt", "project(balcony VERSION 0.2.0 LANGUAGES"),
+                           ("debian/changelog", "balcony (0.2.0) unstable; "),
                            ("packaging/recipe", "version 0.2.0, not 0.1.01 or 001.0"),
                            ("README.md", "find_package(balcony 0.2 REQUIRED)"),
                            ("CHANGELOG.md", "## Unreleased\n\n## 0.2.0 (2")):
             self.assertIn(text, (self.folder / name).read_text())
+        made = re.search("^ -- .*>  (.*)", (self.folder / "debian/changelog").read_text(), re.MULTILINE)
+        self.assertLess(abs(time.time() - parsedate_to_datetime(made[1]).timestamp()), 600)
         self.release("0.3.0", 1, "nothing under 'Unreleased'")
         self.news()
         for version in ("0.2.0", "0.1.9"):
