@@ -137,13 +137,15 @@ struct OpenCamera {
     /// The names of those that cannot be open: tuples and lists, and numbers that determine the
     /// structure of a stage, such as its tables.
     std::vector<std::string> closed;
+    std::vector<OpenParameter> numbers;  ///< Those of `closed` that are numbers, asked for or not.
 };
 
 /// A picture with open parameters.
 struct OpenPicture {
     camera::Picture picture;
     std::vector<OpenParameter> open;
-    std::vector<std::string> closed;  ///< As OpenCamera::closed: another value makes it anew.
+    std::vector<std::string> closed;     ///< As OpenCamera::closed: another value makes it anew.
+    std::vector<OpenParameter> numbers;  ///< As OpenCamera::numbers.
 };
 
 /// Where cameras are written: a .cam file or the name of a built-in camera, or a text.

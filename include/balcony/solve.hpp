@@ -14,7 +14,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <span>
 #include <stop_token>
 #include <string>
 #include <string_view>
@@ -34,7 +36,9 @@ using Imath::V3d;
 
 /// An input of the camera's formulas that is to be found.
 struct Unknown {
-    std::string input;      ///< Its name in the graph, such as lang::parameter_input("fov").
+    /// Its name in the graph, such as lang::parameter_input("fov"). Without one, it is a number
+    /// that a camera is made of anew, whose derivatives are differences.
+    std::string input;
     double value = 0.0;     ///< Where the search begins.
     camera::Range range{};  ///< The values that it may have.
     /// How far it may be from `value`: a standard deviation. Without it, anywhere in the range.
@@ -170,6 +174,9 @@ struct Solution {
     bool converged = false;
 };
 
+/// Makes a camera of the values of the unknowns without an input, in their order.
+using CameraMaker = std::function<Result<camera::Camera>(std::span<const double>)>;
+
 /// Finds values for the unknowns with which a picture of a size in pixels misses as little of the
 /// constraints as it can. It is an error if there are no unknowns or constraints, if an index, a
 /// number or an input is not known, if no ray meets a mark that must be seen, if a target has
@@ -177,6 +184,10 @@ struct Solution {
 /// that the constraints do not determine keep their first values, with a warning, as there is for a
 /// mark that the found camera does not show, and for constraints that ask for less than there are
 /// unknowns.
+[[nodiscard]] Result<Solution> solve(const CameraMaker& make, double width, double height,
+                                     const Problem& problem, const Options& options = {},
+                                     const std::stop_token& stop = {});
+/// The same of unknowns that all have inputs of a camera.
 [[nodiscard]] Result<Solution> solve(const camera::Camera& camera, double width, double height,
                                      const Problem& problem, const Options& options = {},
                                      const std::stop_token& stop = {});

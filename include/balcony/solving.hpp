@@ -43,9 +43,22 @@ struct Marks {
         std::optional<Number> deviation{};
     };
 
+    /// A mark that is on an object of a scene.
+    struct OnObject {
+        std::size_t mark = 0;  ///< Its index in the problem.
+        std::string object;
+        /// Where in the bounding box of the object, which reaches from -1 to 1 along each axis of
+        /// the scene.
+        Imath::V3d part{0.0};
+        SourceSpan written{};
+    };
+
     std::size_t width = 0;  ///< Of the picture, in pixels.
     std::size_t height = 0;
-    std::optional<Axes> axes{};  ///< Of places and directions; if empty, those of the camera.
+    /// Of places and directions; if empty, those of the scene or, without one, of the camera.
+    std::optional<Axes> axes{};
+    std::filesystem::path scene{};  ///< Relative to the folder of the file; empty if there is none.
+    std::vector<OnObject> on_objects{};
     /// The parameters to be found; if empty, all that are numbers and not fixed.
     std::optional<std::vector<Parameter>> unknowns{};
     /// The others are found. With `unknowns`, these say more about some of those.
@@ -56,8 +69,8 @@ struct Marks {
     std::vector<std::string> labels{};
 };
 
-/// Reads a file of marks, a text in YAML of at most 16 MB. All mistakes that it has without a camera
-/// are reported, with their place.
+/// Reads a file of marks, a text in YAML of at most 16 MB. All mistakes that it has without a
+/// camera are reported, with their place.
 [[nodiscard]] Result<Marks> read_marks(const std::filesystem::path& file);
 [[nodiscard]] Result<Marks> read_marks(const std::shared_ptr<const SourceText>& text);
 
@@ -77,9 +90,9 @@ struct SolveRequest {
 
 struct SolvedParameter {
     std::string name;
-    bool is_angle = false;  ///< Numbers are in radians.
-    double first = 0.0;     ///< Where the search began.
-    double value = 0.0;     ///< As the camera file has it.
+    bool is_angle = false;   ///< Numbers are in radians.
+    double first = 0.0;      ///< Where the search began.
+    double value = 0.0;      ///< As the camera file has it.
     double deviation = 0.0;  ///< Infinite if the constraints do not determine it.
     std::string written;     ///< How the camera file has it.
 };

@@ -331,9 +331,9 @@ Result<OpenCamera> Workspace::make_open_camera(
     if (!made) {
         return std::move(made.diagnostics);
     }
-    return {
-        OpenCamera{*made->picture.only_camera(), std::move(made->open), std::move(made->closed)},
-        std::move(made.diagnostics)};
+    return {OpenCamera{*made->picture.only_camera(), std::move(made->open), std::move(made->closed),
+                       std::move(made->numbers)},
+            std::move(made.diagnostics)};
 }
 
 Result<OpenPicture> Workspace::make_open_picture(

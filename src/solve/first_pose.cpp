@@ -12,7 +12,6 @@
 
 #include "solve/pose.hpp"
 
-
 namespace balcony::solve {
 
 namespace {
@@ -60,8 +59,7 @@ MatrixXd transform_along(std::span<const rays::Ray> rays, const MatrixXd& points
     const Index columns = points.rows();
     MatrixXd normal = MatrixXd::Zero(3 * columns, 3 * columns);
     for (Index i = 0; i < points.cols(); ++i) {
-        const Matrix3d cross =
-            cross_matrix(eigen(rays[static_cast<std::size_t>(i)].direction));
+        const Matrix3d cross = cross_matrix(eigen(rays[static_cast<std::size_t>(i)].direction));
         MatrixXd rows(3, 3 * columns);
         for (Index c = 0; c < columns; ++c) {
             rows.middleCols(3 * c, 3) = points(c, i) * cross;

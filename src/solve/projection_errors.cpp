@@ -28,7 +28,7 @@ struct Probes {
     std::vector<std::size_t> cells;
 };
 
-Probes probes_of(const InputRays& rays, const Problem& problem, const V2d& size,
+Probes probes_of(const CameraRays& rays, const Problem& problem, const V2d& size,
                  const std::vector<double>& values, const std::vector<Pose>& poses,
                  const ErrorGrid& grid) {
     double farthest = 0.0;
@@ -51,7 +51,7 @@ Probes probes_of(const InputRays& rays, const Problem& problem, const V2d& size,
         for (std::size_t k = 0; k < std::max<std::size_t>(poses.size(), 1); ++k) {
             Mark mark;
             mark.at_infinity = at_infinity;
-            mark.place = at_infinity ? there.ray.direction
+            mark.place = at_infinity     ? there.ray.direction
                          : poses.empty() ? place
                                          : in_target(poses[k], place);
             mark.target = poses.empty() ? std::nullopt : std::optional(k);
@@ -79,14 +79,13 @@ double largest_deviation(const ByUnknown& by_unknown, const Spread& spread) {
 
 }  // namespace
 
-std::vector<std::optional<double>> projection_errors(const InputRays& rays, const Problem& problem,
+std::vector<std::optional<double>> projection_errors(const CameraRays& rays, const Problem& problem,
                                                      const V2d& size,
                                                      const Eigen::VectorXd& unknowns,
                                                      const Spread& spread, const ErrorGrid& grid) {
     const System whole(rays, problem, size, {});
     const std::vector<Pose> poses = whole.poses_of(unknowns);
-    const Probes probes =
-        probes_of(rays, problem, size, whole.inputs_of(unknowns), poses, grid);
+    const Probes probes = probes_of(rays, problem, size, whole.inputs_of(unknowns), poses, grid);
     System system(rays, probes.problem, size, probes.near);
     const auto seen = system.seen(unknowns);
     std::vector<std::optional<double>> made(grid.columns * grid.rows);

@@ -11,7 +11,7 @@ namespace balcony::solve {
 
 /// Solution::errors, of unknowns with this spread.
 [[nodiscard]] std::vector<std::optional<double>> projection_errors(
-    const InputRays& rays, const Problem& problem, const V2d& size,
+    const CameraRays& rays, const Problem& problem, const V2d& size,
     const Eigen::VectorXd& unknowns, const Spread& spread, const ErrorGrid& grid);
 
 }  // namespace balcony::solve

@@ -39,7 +39,7 @@ Problem with_positions(Problem problem) {
 
 // Where the first values of the unknowns show a mark that no constraint has a position for: what
 // Newton's iteration finds from places all over the picture, in a fixed order.
-std::optional<V2d> found_from_grid(const InputRays& rays, const Problem& problem, std::size_t mark,
+std::optional<V2d> found_from_grid(const CameraRays& rays, const Problem& problem, std::size_t mark,
                                    const V2d& size) {
     constexpr int cells = 8;
     Problem alone{problem.unknowns, problem.targets, {problem.marks[mark]}, {}};
@@ -67,7 +67,7 @@ std::string name_of(const Unknown& unknown) {
 }
 
 // The pose in which the first values show the marks of a target where they are demanded.
-std::optional<Pose> pose_of_marks(const InputRays& rays, const Problem& problem,
+std::optional<Pose> pose_of_marks(const CameraRays& rays, const Problem& problem,
                                   std::size_t target) {
     std::vector<V2d> at;
     std::vector<V3d> places;
@@ -96,7 +96,7 @@ std::optional<Pose> pose_of_marks(const InputRays& rays, const Problem& problem,
 }
 
 // The problem with a start for each target.
-Result<Problem> with_poses(const InputRays& rays, Problem problem) {
+Result<Problem> with_poses(const CameraRays& rays, Problem problem) {
     for (std::size_t i = 0; i < problem.targets.size(); ++i) {
         Target& target = problem.targets[i];
         if (!target.start) {
@@ -127,7 +127,7 @@ std::vector<bool> marks_in_use(const Problem& problem, std::optional<ConstraintK
 }
 
 // Where the search for each mark begins.
-Result<std::vector<V2d>> first_positions(const InputRays& rays, const Problem& problem,
+Result<std::vector<V2d>> first_positions(const CameraRays& rays, const Problem& problem,
                                          const V2d& size) {
     std::vector<V2d> made;
     const std::vector<bool> used = marks_in_use(problem, std::nullopt);
@@ -227,24 +227,17 @@ Diagnostics warnings_of(const Problem& problem, const Solution& solution, std::s
 
 }  // namespace
 
-Result<Solution> solve(const camera::Camera& camera, double width, double height,
-                       const Problem& given, const Options& options, const std::stop_token& stop) {
+Result<Solution> solve(const CameraMaker& make, double width, double height, const Problem& given,
+                       const Options& options, const std::stop_token& stop) {
     if (Diagnostics found = problems_of(given); !found.empty()) {
         return found;
     }
     const Problem problem = with_positions(given);
-    std::vector<std::string> inputs;
-    for (const Unknown& unknown : problem.unknowns) {
-        inputs.push_back(unknown.input);
-    }
-    std::vector<Constraint> shapes;
-    std::copy_if(problem.constraints.begin(), problem.constraints.end(), std::back_inserter(shapes),
-                 [](const Constraint& constraint) { return constraint.marks.empty(); });
-    Result<InputRays> rays = InputRays::make(camera, width, height, inputs, shapes, stop);
+    const V2d size(width, height);
+    Result<CameraRays> rays = CameraRays::make(make, size, problem, stop);
     if (!rays) {
         return std::move(rays.diagnostics);
     }
-    const V2d size(width, height);
     std::optional<Solution> best;
     Diagnostics first_found;
     std::size_t equations = 0;
@@ -264,7 +257,7 @@ Result<Solution> solve(const camera::Camera& camera, double width, double height
             return stopped();
         }
         if (minimum && (!best || minimum->residuals.values.squaredNorm() < best->cost)) {
-            best = solution_of(*minimum, system, inputs.size());
+            best = solution_of(*minimum, system, problem.unknowns.size());
             equations = static_cast<std::size_t>(minimum->residuals.values.size());
             if (options.errors) {
                 best->errors = projection_errors(*rays, *trial, size, minimum->unknowns,
@@ -285,6 +278,18 @@ Result<Solution> solve(const camera::Camera& camera, double width, double height
             "begin nearer to it, or allow more iterations"));
     }
     return {std::move(*best), std::move(warnings)};
+}
+
+Result<Solution> solve(const camera::Camera& camera, double width, double height,
+                       const Problem& problem, const Options& options,
+                       const std::stop_token& stop) {
+    const CameraMaker make = [&](std::span<const double> closed) -> Result<camera::Camera> {
+        if (!closed.empty()) {
+            return error(Kind::internal, "an unknown has no input");
+        }
+        return camera;
+    };
+    return solve(make, width, height, problem, options, stop);
 }
 
 }  // namespace balcony::solve

@@ -37,7 +37,7 @@ struct System::Row {
     Eigen::MatrixXd by_unknown;
 };
 
-System::System(const InputRays& rays, const Problem& problem, const V2d& size,
+System::System(const CameraRays& rays, const Problem& problem, const V2d& size,
                std::vector<V2d> near)
     : rays_(rays),
       problem_(problem),

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "solve/input_rays.hpp"
+#include "solve/camera_rays.hpp"
 #include "solve/least_squares.hpp"
 
 namespace balcony::solve {
@@ -26,7 +26,7 @@ class System {
 public:
     /// All of these must outlive it. The targets have starts. `near` says for each mark where the
     /// search for it begins.
-    System(const InputRays& rays, const Problem& problem, const V2d& size, std::vector<V2d> near);
+    System(const CameraRays& rays, const Problem& problem, const V2d& size, std::vector<V2d> near);
 
     [[nodiscard]] Eigen::VectorXd start() const;
     [[nodiscard]] Limits limits() const;
@@ -47,7 +47,7 @@ private:
     void follow(const std::vector<double>& inputs, std::span<const Pose> poses,
                 std::vector<V2d>& at, std::vector<bool>& reached) const;
 
-    const InputRays& rays_;
+    const CameraRays& rays_;
     const Problem& problem_;
     V2d size_;
     std::vector<V2d> near_;  ///< Where the marks were seen last.

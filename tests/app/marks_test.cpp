@@ -106,6 +106,19 @@ TEST(Marks, AFileHasAllOfAProblem) {
     EXPECT_EQ(marks->labels[8], "corner 4 of board 1");
 }
 
+TEST(Marks, MayBeOnObjectsOfAScene) {
+    std::string text = replaced("axes: y_up", "scene: room.glb");
+    const std::string east = "{direction: [0, 1, 0], near: [600, 100]}";
+    text.replace(text.find(east), east.size(), "{object: vase, part: [0, 1, 0.5]}");
+    const auto marks = read(text);
+    ASSERT_TRUE(marks) << to_text(marks.diagnostics);
+    EXPECT_EQ(marks->scene, "room.glb");
+    ASSERT_EQ(marks->on_objects.size(), 1U);
+    EXPECT_EQ(marks->on_objects[0].mark, 1U);
+    EXPECT_EQ(marks->on_objects[0].object, "vase");
+    EXPECT_EQ(marks->on_objects[0].part, V3d(0, 1, 0.5));
+}
+
 TEST(Marks, PixelCentersAreHalfAPixelFromCorners) {
     const auto marks = read(replaced("axes: y_up", "origin: pixel_center"));
     ASSERT_TRUE(marks) << to_text(marks.diagnostics);
@@ -144,6 +157,10 @@ TEST(Marks, EachMistakeIsSaidWhereItIs) {
          "with more about it"},
         {replaced("direction: [0, 1, 0]", "direction: [0, 0, 0]"), "13:3",
          "the direction of the mark 'east' has no length", "write a direction such as [1, 0, 0]"},
+        {replaced("{direction: [0, 1, 0], near: [600, 100]}", "{object: vase}"), "13:3",
+         "the mark 'east' is on an object of no scene", "add the entry scene: FILE"},
+        {replaced("direction: [0, 1, 0], near: [600, 100]", "point: [0, 1, 0], part: [0, 0, 1]"),
+         "13:3", "the mark 'east' has a part of no object", "add object: NAME, or remove the part"},
         {replaced("target: box", "target: bos"), "14:35", "there is no target 'bos'",
          "did you mean 'box'?"},
         {replaced("point: [0, 0, 1], target", "direction: [0, 0, 1], target"), "14:3",
@@ -159,8 +176,8 @@ TEST(Marks, EachMistakeIsSaidWhereItIs) {
          "write a number above 0, such as deviation: 0.5"},
         {replaced("deviation: 0.5", "deviation: 1deg"), "16:50", "this number must have no unit",
          "write a number above 0, such as deviation: 0.5"},
-        {replaced("level: [gable, lid]", "level: gable"), "17:12",
-         "'level' takes 2 marks, not 1", "it means that two marks appear at one height"},
+        {replaced("level: [gable, lid]", "level: gable"), "17:12", "'level' takes 2 marks, not 1",
+         "it means that two marks appear at one height"},
         {replaced("{inside: east}", "{inside: east, distance: 2}"), "19:20",
          "'inside' has no distance",
          "remove it; 'inside' means that a mark is in the picture, so many pixels from its border"},

@@ -113,6 +113,52 @@ class Solve(support.CommandTest):
         self.refused("render", "scene.obj", "--camera", "pinhole", "--fit", "--solve", "marks.yml",
                      code=2, says="--solve and a camera that the scene places")
 
+    def test_marks_are_on_objects_of_a_scene(self):
+        """The tip is 2 wide and 2 high around (0, 0, 0), the axes of OBJ have y up."""
+        (self.folder / "above.cam").write_text(support.CAMERAS.split("// Has no ray left")[0])
+        text = ("size: [200, 100]\nscene: scene.obj\nunknowns: [size]\nmarks:\n"
+                "  left: {object: tip, part: [-1, 0, 0]}\n  right: {object: tip, part: [1, 0, 0]}\n"
+                "constraints: [{length: [left, right], value: 40}]\n")
+        (self.folder / "marks.yml").write_text(text)
+        document = self.json_of("solve", "above.cam", "--with", "marks.yml")
+        # 2 units of 2 * size have 40 pixels of 200.
+        self.assertAlmostEqual(document["parameters"][0]["value"], 5, 6)
+        seen = [one["seen"] for one in document["marks"]]
+        self.assertAlmostEqual(seen[0][0], 80, 6)
+        self.assertAlmostEqual(seen[1][0], 120, 6)
+        (self.folder / "marks.yml").write_text(text.replace("{object: tip", "{object: top"))
+        self.refused("solve", "above.cam", "--with", "marks.yml", code=1,
+                     says="'scene.obj' has no object 'top'", helps="did you mean 'tip'?")
+
+    def test_numbers_that_a_lens_is_made_of(self):
+        """Those of OpenCV's models cannot be inputs; the corners are exact."""
+        (self.folder / "lens.cam").write_text(
+            "camera photo(fx = 500, k1 = 0) {\n    eye opencv_pinhole(width = 640, height = 480, "
+            "fx = fx, cx = 319.5, cy = 239.5, k1 = k1)\n}\n")
+        rows = []
+        for i in range(12):
+            x, y = 0.2 * (i % 4) - 0.3, 0.2 * (i // 4) - 0.2
+            far = 1 - 0.1 * (x * x + y * y)
+            rows.append((f"p{i}", (1, -x, -y), (319.5 + 620 * x * far, 239.5 + 620 * y * far)))
+        (self.folder / "marks.yml").write_text(
+            "size: [640, 480]\norigin: pixel_center\nunknowns: [fx, k1]\nmarks:\n" +
+            "".join(f"  {name}: [{p[0]}, {p[1]}, {p[2]}]\n" for name, p, _ in rows) +
+            "constraints:\n" + "".join(f"  - {{at: {name}, position: [{x!r}, {y!r}]}}\n"
+                                       for name, _, (x, y) in rows))
+        document = self.json_of("solve", "lens.cam", "--with", "marks.yml", "-o", "solved.cam")
+        self.assertAlmostEqual(document["parameters"][0]["value"], 620, 5)
+        self.assertAlmostEqual(document["parameters"][1]["value"], -0.1, 7)
+        self.assertIn(document["parameters"][1]["written"],
+                      (self.folder / "solved.cam").read_text())
+        (self.folder / "marks.yml").write_text(
+            "size: [640, 480]\nunknowns: [spot]\nmarks: {p: [1, 0, 0]}\n"
+            "constraints: [{at: p, position: [1, 2]}]\n")
+        (self.folder / "lens.cam").write_text(
+            "camera photo(spot = (1, 2, 3)) {\n    map u = 1 .. -1, v = square\n    eye point(spot)\n"
+            "    toward plane((1, 0, 0))\n}\n")
+        self.refused("solve", "lens.cam", "--with", "marks.yml", code=1,
+                     says="the parameter 'spot' cannot be found, since it is not one number")
+
     def test_drawings(self):
         self.run_command("solve", "photo.cam", "--with", "marks.yml", "--drawing", "misses.svg")
         svg = (self.folder / "misses.svg").read_text()

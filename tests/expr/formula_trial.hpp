@@ -26,8 +26,8 @@ public:
     Trial& operator=(const Trial&) = delete;
 
     /// Whether a formula keeps its values in a graph, and when it is simplified, and whether it is
-    /// finished then. Compares where it is finite throughout, as the graph's algebra may assume, and
-    /// where rounding leaves enough digits that a wrong rewriting could be told from it.
+    /// finished then. Compares where it is finite throughout, as the graph's algebra may assume,
+    /// and where rounding leaves enough digits that a wrong rewriting could be told from it.
     [[nodiscard]] Outcome operator()(const Formula& formula) const;
 
 private:

@@ -45,8 +45,8 @@ public:
     explicit Grid(const expr::Choice& below)
         : lens_(number(below)), shutter_(width * (1 + below(3))) {
         std::generate(shutter_.begin(), shutter_.end(), [&] { return number(below); });
-        tile_ = {number(below), number(below), number(below), width, shutter_.size() / width,
-                 number(below)};
+        tile_ = {number(below), number(below),           number(below),
+                 width,         shutter_.size() / width, number(below)};
         for (std::size_t i = 0; i < shutter_.size(); ++i) {
             x_.push_back(tile_.column(i % width));
             y_.push_back(tile_.row(i / width));
@@ -94,9 +94,9 @@ private:
 };
 
 Program compiled(expr::Expr root, Sampling sampling) {
-    Result<Program> made = Program::make(
-        std::span(&root, 1),
-        {sampling, {{"lens", expr::Rate::uniform}, {"shutter", expr::Rate::pixel}}});
+    Result<Program> made =
+        Program::make(std::span(&root, 1),
+                      {sampling, {{"lens", expr::Rate::uniform}, {"shutter", expr::Rate::pixel}}});
     demand(made.value.has_value(), "a formula is not compiled");
     return std::move(*made);
 }

@@ -92,8 +92,8 @@ private:
 std::string changed(std::string text, std::span<const std::uint8_t> changes) {
     constexpr std::size_t size = 6;
     for (; changes.size() >= size; changes = changes.subspan(size)) {
-        const std::size_t at = std::min<std::size_t>(
-            (std::size_t{changes[1]} << 8U) + changes[2], text.size());
+        const std::size_t at =
+            std::min<std::size_t>((std::size_t{changes[1]} << 8U) + changes[2], text.size());
         const std::size_t times = changes[5];
         const auto byte = static_cast<char>(changes[3]);
         switch (changes[0] % 4) {

@@ -1,23 +1,70 @@
 # Balcony: rendering through extended cameras.
 # SPDX-License-Identifier: Apache-2.0
-"""Runs docs/solve.md."""
+"""Runs docs/solve.md, and compares calibrations with OpenCV's."""
+
+import json
+import re
+import shutil
+from pathlib import Path
 
 import guide
+
+PYTHON = guide.python_with("numpy", "cv2")
+if PYTHON is None:
+    guide.skip("no Python has numpy and OpenCV")
 
 
 class SolveGuide(guide.GuideTest):
     PAGE = "solve.md"
+    PATH = f"{Path(PYTHON).parent}:{guide.GuideTest.PATH}"
+
+    @classmethod
+    def prepare(cls):
+        for name in ("house.obj", "house.mtl"):
+            shutil.copy(guide.REPOSITORY / "docs" / "pictures" / name, cls.folder)
+        shutil.copy(guide.BALCONY.parent / "gallery.glb", cls.folder)
+
+    @staticmethod
+    def EDIT(line):
+        return line.replace("--samples 64 --denoise", "--samples 1")
 
     def test_the_facade_is_where_the_photo_has_it(self):
-        shown = self.output_of("balcony solve facade.cam")
-        self.assertIn("photo, 640 x 480 pixels: solved after", shown)
+        self.assertIn("photo, 640 x 480 pixels: solved after",
+                      self.output_of("balcony solve facade.cam"))
         solved = (self.folder / "solved.cam").read_text()
         self.assertTrue(solved.startswith("// facade.cam\n// A photo of the facade.\n"))
         for foot, position in (("20,4,0", (155, 347)), ("20,-4,0", (446, 346))):
-            line = self.run_line(f"balcony locate solved.cam --size 640x480 --point {foot}")
-            x, y = (float(line.split(axis + " ")[1].split()[0]) for axis in "xy")
-            self.assertAlmostEqual(x, position[0], delta=1)
-            self.assertAlmostEqual(y, position[1], delta=1)
+            (point,) = json.loads(self.run_line(
+                f"balcony locate solved.cam --size 640x480 --point {foot} --json"))["points"]
+            for axis, wanted in zip("xy", position):
+                self.assertAlmostEqual(point["sightings"][0][axis], wanted, delta=1)
+
+    def test_the_photographer_is_found_within_the_deviations(self):
+        """Rounding to pixels is an error of 0.29 of them, and the rows say 1."""
+        found = json.loads(self.run_line("balcony solve pinhole --with match.yml --json"))
+        true = {"fov": 52, "px": 14, "py": -17, "pz": 1.7, "yaw": 126, "pitch": 7, "roll": 1.5}
+        degree = 0.017453292519943295
+        for one in found["parameters"]:
+            unit = degree if one["is_angle"] else 1
+            self.assertLess(abs(one["value"] / unit - true[one["name"]]), one["deviation"] / unit)
+
+    def test_calibrations_are_those_of_opencv(self):
+        """Both end at the minimum of the same sum of squares, as near as they stop."""
+        for model in ("pinhole", "fisheye"):
+            with self.subTest(model=model):
+                rows = re.findall(r"^(\w+) (\S+) \+- (\S+), OpenCV (\S+) from it$",
+                                  self.output_of(f"balcony solve lens.cam:{model}_lens"), re.M)
+                self.assertEqual(len(rows), 8)
+                for name, _, deviation, off in rows:
+                    self.assertLess(float(off), 1e-3 * float(deviation), name)
+
+    def test_two_paintings_are_equally_wide(self):
+        seen = {one["name"]: one["seen"] for one in json.loads(
+            self.run_line("balcony solve superelliptic --with equal.yml --json"))["marks"]}
+        widths = [seen[f"{name}_right"][0] - seen[f"{name}_left"][0]
+                  for name in ("beads", "balls")]
+        self.assertGreater(abs(widths[0]), 50)
+        self.assertAlmostEqual(widths[0], widths[1], delta=0.5)
 
 
 if __name__ == "__main__":

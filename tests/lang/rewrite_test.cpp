@@ -1,8 +1,8 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Values that are written into the text of a camera file, by their laws: equal values leave the text
-// as it is, and the text that has others reads as these bit for bit.
+// Values that are written into the text of a camera file, by their laws: equal values leave the
+// text as it is, and the text that has others reads as these bit for bit.
 
 #include <bit>
 #include <cstdint>
@@ -46,7 +46,8 @@ std::string rewritten(const std::string& text, const std::string& name,
 OpenCamera open(const std::string& text, const std::string& name) {
     auto made = Workspace().make_open_camera(source(text), name, {});
     EXPECT_TRUE(made) << to_text(made.diagnostics);
-    return made ? std::move(*made) : OpenCamera{test::make("camera a = pinhole").value.value(), {}, {}};
+    return made ? std::move(*made)
+                : OpenCamera{test::make("camera a = pinhole").value.value(), {}, {}, {}};
 }
 
 std::vector<Override> values_of(const OpenCamera& camera) {
@@ -95,7 +96,8 @@ TEST(Rewrite, WhatIsMadeOfAnotherHasTheValuesInItsCall) {
               replaced(file, "100deg", "90deg, turn = 1rad"));
     EXPECT_EQ(rewritten(file, "same", {{"turn", "1rad"}, {"gamma", "2"}}),
               replaced(file, "same = tube", "same = tube(turn = 1rad, gamma = 2)"));
-    const std::string chain = "camera low = wide(pitch = 1deg)\ncamera wide = fisheye(fov = 200deg)\n";
+    const std::string chain =
+        "camera low = wide(pitch = 1deg)\ncamera wide = fisheye(fov = 200deg)\n";
     EXPECT_EQ(rewritten(chain, "low", {{"fov", "90deg"}}),
               replaced(chain, "1deg", "1deg, fov = 90deg"));
 }

@@ -40,9 +40,8 @@ TEST(System, HasTheDerivativesOfItsResiduals) {
                            {ConstraintKind::magnification, {}, V2d(100.0, 50.0), 400.0, 3.0, 0.1},
                            {ConstraintKind::isotropic, {}, V2d(600.0, 300.0), 0.0, 2.0},
                            {ConstraintKind::unfolded, {}, V2d(600.0, 300.0), 1.0}};
-    const std::vector<Constraint> shapes(problem.constraints.begin() + 4,
-                                         problem.constraints.end());
-    const auto rays = InputRays::make(camera->camera, width, height, inputs, shapes, {});
+    const CameraMaker make = [&](std::span<const double>) { return camera->camera; };
+    const auto rays = CameraRays::make(make, V2d(width, height), problem, {});
     ASSERT_TRUE(rays);
     System system(*rays, problem, V2d(width, height), std::vector<V2d>(4, V2d(320.0, 180.0)));
     const Eigen::VectorXd at = system.start();

@@ -33,9 +33,11 @@ std::vector<std::string> names_of(const std::vector<OpenParameter>& parameters) 
 
 void check_names(const std::vector<Marks::Parameter>& named, const lang::OpenCamera& camera,
                  bool to_be_found, Diagnostics& found) {
-    const std::vector<std::string> open = names_of(camera.open);
-    std::vector<std::string> all = open;
+    std::vector<std::string> numbers = names_of(camera.open);
+    std::vector<std::string> all = numbers;
     all.insert(all.end(), camera.closed.begin(), camera.closed.end());
+    const std::vector<std::string> closed = names_of(camera.numbers);
+    numbers.insert(numbers.end(), closed.begin(), closed.end());
     for (const Marks::Parameter& one : named) {
         if (!has(all, one.name)) {
             found.push_back(error(fmt::format("the camera '{}' has no parameter '{}'",
@@ -43,14 +45,13 @@ void check_names(const std::vector<Marks::Parameter>& named, const lang::OpenCam
                                   one.written,
                                   all.empty() ? "it has no parameters"
                                               : suggestion(one.name, all, "its parameters are")));
-        } else if (to_be_found && !has(open, one.name)) {
-            found.push_back(error(
-                fmt::format("the parameter '{}' cannot be found: it is not one number, or it "
-                            "determines how a stage is built",
-                            one.name),
-                one.written,
-                open.empty() ? "no parameter of this camera can"
-                             : fmt::format("those that can are {}", all_of(open))));
+        } else if (to_be_found && !has(numbers, one.name)) {
+            found.push_back(
+                error(fmt::format("the parameter '{}' cannot be found, since it is not one number",
+                                  one.name),
+                      one.written,
+                      numbers.empty() ? "no parameter of this camera is"
+                                      : fmt::format("those that can are {}", all_of(numbers))));
         }
     }
 }
@@ -85,10 +86,12 @@ public:
         return number.value;
     }
 
-    [[nodiscard]] solve::Unknown unknown(const Marks::Parameter* described) {
-        solve::Unknown made{
-            lang::parameter_input(parameter_.name), parameter_.value, parameter_.limits, {},
-            parameter_.name};
+    [[nodiscard]] solve::Unknown unknown(const Marks::Parameter* described, bool is_open) {
+        solve::Unknown made{is_open ? lang::parameter_input(parameter_.name) : "",
+                            parameter_.value,
+                            parameter_.limits,
+                            {},
+                            parameter_.name};
         if (described == nullptr) {
             return made;
         }
@@ -129,8 +132,13 @@ private:
 
 }  // namespace
 
-Result<std::vector<std::string>> wanted_parameters(const Marks& marks,
-                                                   const lang::OpenCamera& camera) {
+std::vector<OpenParameter> WantedParameters::all() const {
+    std::vector<OpenParameter> made = open;
+    made.insert(made.end(), closed.begin(), closed.end());
+    return made;
+}
+
+Result<WantedParameters> wanted_parameters(const Marks& marks, const lang::OpenCamera& camera) {
     Diagnostics found;
     std::vector<std::string> named;
     if (marks.unknowns) {
@@ -154,22 +162,28 @@ Result<std::vector<std::string>> wanted_parameters(const Marks& marks,
         return found;
     }
     const bool all = marks.fixed || !marks.unknowns;
-    std::vector<std::string> wanted;
+    WantedParameters wanted;
     for (const OpenParameter& one : camera.open) {
         if (!has(fixed, one.name) && (all || has(named, one.name))) {
-            wanted.push_back(one.name);
+            wanted.open.push_back(one);
+        }
+    }
+    for (const OpenParameter& one : camera.numbers) {
+        if (has(named, one.name)) {
+            wanted.closed.push_back(one);
         }
     }
     return wanted;
 }
 
-Result<solve::Problem> problem_of(const Marks& marks, const lang::OpenCamera& camera) {
+Result<solve::Problem> problem_of(const Marks& marks, const WantedParameters& wanted, Axes axes) {
     solve::Problem made = marks.problem;
     Diagnostics found;
-    for (const OpenParameter& one : camera.open) {
-        made.unknowns.push_back(Details(one, found).unknown(find(marks, one.name)));
+    for (const bool is_open : {true, false}) {
+        for (const OpenParameter& one : is_open ? wanted.open : wanted.closed) {
+            made.unknowns.push_back(Details(one, found).unknown(find(marks, one.name), is_open));
+        }
     }
-    const Axes axes = camera.camera.parts().axes;
     for (solve::Mark& mark : made.marks) {
         if (!mark.target) {
             mark.place = turned(mark.place, marks.axes.value_or(axes), axes);

@@ -11,12 +11,19 @@
 
 namespace balcony::app {
 
-/// The names of the parameters that are to be found, of a camera with all of them open.
-[[nodiscard]] Result<std::vector<std::string>> wanted_parameters(const Marks& marks,
-                                                                 const lang::OpenCamera& camera);
+/// The parameters that are to be found, of a camera with as many open as can be.
+struct WantedParameters {
+    std::vector<lang::OpenParameter> open;
+    std::vector<lang::OpenParameter> closed;  ///< Numbers that a camera is made of anew.
 
-/// The problem of a camera whose open parameters are the unknowns, with its marks in the axes of the
-/// camera.
-[[nodiscard]] Result<solve::Problem> problem_of(const Marks& marks, const lang::OpenCamera& camera);
+    /// All of them, in the order of the unknowns.
+    [[nodiscard]] std::vector<lang::OpenParameter> all() const;
+};
+[[nodiscard]] Result<WantedParameters> wanted_parameters(const Marks& marks,
+                                                         const lang::OpenCamera& camera);
+
+/// The problem of these unknowns, with its marks in the axes of a camera.
+[[nodiscard]] Result<solve::Problem> problem_of(const Marks& marks, const WantedParameters& wanted,
+                                                Axes axes);
 
 }  // namespace balcony::app

@@ -44,8 +44,7 @@ Diagnostics contradictions_of(const solve::Problem& problem) {
         }
         std::vector<const Constraint*>& others = of_mark[row.marks.front()];
         for (const Constraint* const other : others) {
-            std::string why =
-                contradiction(row, *other, problem.marks[row.marks.front()].name);
+            std::string why = contradiction(row, *other, problem.marks[row.marks.front()].name);
             if (!why.empty()) {
                 found.push_back(error(std::move(why), row.written,
                                       "remove one of the two rows, or give them a tolerance"));

@@ -63,9 +63,9 @@ Diagnostics check_drawing_of(const SolveRequest& request) {
                                             "name the file of the drawing");
     }
     if (is_svg(request.drawing) && !request.over.empty()) {
-        return usage(fmt::format("'{}' has no pixels to put over a picture",
-                                 request.drawing.string()),
-                     "use a file name that ends in .png");
+        return usage(
+            fmt::format("'{}' has no pixels to put over a picture", request.drawing.string()),
+            "use a file name that ends in .png");
     }
     if (!is_svg(request.drawing) && render::display_format(request.drawing) == nullptr) {
         return usage(fmt::format("the file extension of '{}' is not a drawing format",
@@ -99,8 +99,8 @@ Diagnostics write_drawing_of(const SolveReport& report, const SolveRequest& requ
         drawing.background = std::move(*picture);
     }
     const Image image = analyse::rasterise(drawing);
-    add(found, render::write_samples(image.samples, {image.width, image.height, 3},
-                                     request.drawing));
+    add(found,
+        render::write_samples(image.samples, {image.width, image.height, 3}, request.drawing));
     return found;
 }
 

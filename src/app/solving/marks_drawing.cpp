@@ -71,16 +71,17 @@ private:
             if (!one || !(*one > 0.0)) {
                 continue;
             }
-            const double part =
-                !std::isfinite(*one) ? 1.0 : range > 0.0 ? std::log(*one / least) / range : 0.0;
+            const double part = !std::isfinite(*one) ? 1.0
+                                : range > 0.0        ? std::log(*one / least) / range
+                                                     : 0.0;
             const V2d corner(cell.x * static_cast<double>(i % grid.columns),
                              cell.y * static_cast<double>(i / grid.columns));
-            made_.shapes.push_back({DrawingPart::uncertainty,
-                                    {corner, corner + V2d(cell.x, 0.0), corner + cell,
-                                     corner + V2d(0.0, cell.y)},
-                                    tint,
-                                    0.0,
-                                    0.35 * part});
+            made_.shapes.push_back(
+                {DrawingPart::uncertainty,
+                 {corner, corner + V2d(cell.x, 0.0), corner + cell, corner + V2d(0.0, cell.y)},
+                 tint,
+                 0.0,
+                 0.35 * part});
         }
         note(fmt::format("uncertainty {:.2g} to {:.2g} px", least, most));
     }
@@ -117,8 +118,7 @@ private:
             line(DrawingPart::mark, std::move(circle), mark_color, 2.0);
             if (report_.problem.marks.size() <= most_names) {
                 made_.labels.push_back({printable(report_.problem.marks[i].name),
-                                        *seen + unit_ * V2d(10.0, -8.0), 11.0 * unit_,
-                                        mark_color});
+                                        *seen + unit_ * V2d(10.0, -8.0), 11.0 * unit_, mark_color});
             }
         }
     }
@@ -139,11 +139,11 @@ private:
 
     void note(std::string text) {
         const double row = static_cast<double>(made_.labels.size()) + 1.0;
-        made_.labels.push_back({std::move(text),
-                                {10.0 * unit_, static_cast<double>(made_.height) - row * 20.0 * unit_ +
-                                                   8.0 * unit_},
-                                12.0 * unit_,
-                                text_color});
+        made_.labels.push_back(
+            {std::move(text),
+             {10.0 * unit_, static_cast<double>(made_.height) - row * 20.0 * unit_ + 8.0 * unit_},
+             12.0 * unit_,
+             text_color});
     }
 
     const SolveReport& report_;

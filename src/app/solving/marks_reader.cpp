@@ -42,8 +42,9 @@ constexpr std::string_view constraint_remedy =
 
 const ConstraintKindInfo* kind_named(std::string_view name) {
     const auto& kinds = solve::constraint_kinds();
-    const auto found = std::find_if(kinds.begin(), kinds.end(),
-                                    [&](const ConstraintKindInfo& one) { return one.name == name; });
+    const auto found = std::find_if(kinds.begin(), kinds.end(), [&](const ConstraintKindInfo& one) {
+        return one.name == name;
+    });
     return found != kinds.end() ? &*found : nullptr;
 }
 
@@ -78,8 +79,8 @@ private:
     void read(const YAML::Node& file) {
         std::map<std::string, YamlEntry> entries;
         for (YamlEntry& one : yaml_.map(file, "the file", whole_remedy,
-                                        {"size", "axes", "origin", "unknowns", "fixed", "targets",
-                                         "marks", "constraints", "boards"})) {
+                                        {"size", "scene", "axes", "origin", "unknowns", "fixed",
+                                         "targets", "marks", "constraints", "boards"})) {
             entries.emplace(one.name, one);
         }
         if (has_errors(yaml_.found()) && entries.empty()) {
@@ -88,6 +89,7 @@ private:
         // Names are read before they are used.
         const std::vector<std::pair<std::string, void (MarksReader::*)(const YamlEntry&)>> readers{
             {"size", &MarksReader::size},
+            {"scene", &MarksReader::scene},
             {"axes", &MarksReader::axes},
             {"origin", &MarksReader::origin},
             {"unknowns", &MarksReader::unknowns},
@@ -127,6 +129,10 @@ private:
             made_.width = static_cast<std::size_t>(read->x);
             made_.height = static_cast<std::size_t>(read->y);
         }
+    }
+
+    void scene(const YamlEntry& entry) {
+        made_.scene = yaml_.word(entry.value, "write the name of a scene file").value_or("");
     }
 
     void axes(const YamlEntry& entry) {
@@ -178,8 +184,8 @@ private:
         for (const YamlEntry& one :
              yaml_.map(entry.value, fmt::format("'{}'", entry.name), remedy, {"start"})) {
             solve::Pose pose;
-            for (const YamlEntry& part : yaml_.map(one.value, "'start'", remedy,
-                                                   {"rotation", "translation"})) {
+            for (const YamlEntry& part :
+                 yaml_.map(one.value, "'start'", remedy, {"rotation", "translation"})) {
                 V3d& vector = part.name == "rotation" ? pose.rotation : pose.translation;
                 vector = yaml_.vector(part.value, remedy).value_or(vector);
             }
@@ -204,13 +210,20 @@ private:
 
     void place(const YamlEntry& entry, Mark& mark) {
         std::size_t places = 0;
+        Marks::OnObject on{made_.problem.marks.size(), {}, V3d(0.0), entry.written};
+        std::optional<V3d> part;
         for (const YamlEntry& one :
              yaml_.map(entry.value, fmt::format("the mark '{}'", entry.name), place_remedy,
-                       {"point", "direction", "target", "near"})) {
+                       {"point", "direction", "object", "part", "target", "near"})) {
             if (one.name == "target") {
-                mark.target = index_of(one.value, targets_, "target");
+                mark.target = yaml_.index_of(one.value, targets_, "target");
             } else if (one.name == "near") {
                 mark.near = position(one.value);
+            } else if (one.name == "part") {
+                part = yaml_.vector(one.value, "write where in the box of the object: [-1, 0, 1]");
+            } else if (one.name == "object") {
+                ++places;
+                on.object = yaml_.word(one.value, "write the name of an object").value_or("");
             } else {
                 ++places;
                 mark.at_infinity = one.name == "direction";
@@ -227,28 +240,22 @@ private:
                         fmt::format("the direction of the mark '{}' has no length", entry.name),
                         "write a direction such as [1, 0, 0]");
         } else if (mark.at_infinity && mark.target) {
+            yaml_.error(
+                entry.written,
+                fmt::format("the mark '{}' is a direction and belongs to a target", entry.name),
+                "remove the target, or write a point of it");
+        } else if (part && on.object.empty()) {
             yaml_.error(entry.written,
-                        fmt::format("the mark '{}' is a direction and belongs to a target",
-                                    entry.name),
-                        "remove the target, or write a point of it");
+                        fmt::format("the mark '{}' has a part of no object", entry.name),
+                        "add object: NAME, or remove the part");
+        } else if (!on.object.empty() && (made_.scene.empty() || mark.target)) {
+            yaml_.error(entry.written,
+                        fmt::format("the mark '{}' is on an object of no scene", entry.name),
+                        mark.target ? "remove the target" : "add the entry scene: FILE");
+        } else if (!on.object.empty()) {
+            on.part = part.value_or(V3d(0.0));
+            made_.on_objects.push_back(std::move(on));
         }
-    }
-
-    std::optional<std::size_t> index_of(const YAML::Node& node,
-                                        const std::vector<std::string>& names,
-                                        std::string_view what) {
-        const auto name = yaml_.word(node, fmt::format("write the name of a {}", what));
-        if (!name) {
-            return std::nullopt;
-        }
-        const auto found = std::find(names.begin(), names.end(), *name);
-        if (found == names.end()) {
-            yaml_.error(yaml_.at(node), fmt::format("there is no {} '{}'", what, *name),
-                        names.empty() ? fmt::format("add it to '{}s'", what)
-                                      : suggestion(*name, names, fmt::format("the {}s are", what)));
-            return std::nullopt;
-        }
-        return static_cast<std::size_t>(found - names.begin());
     }
 
     // ----------------------------------------------------------------------------- constraints
@@ -316,13 +323,13 @@ private:
         const std::vector<YAML::Node> named = yaml_.list(entry.value);
         if (named.size() != kind.marks) {
             yaml_.error(yaml_.at(entry.value),
-                        fmt::format("'{}' takes {}, not {}", kind.name,
-                                    counted(kind.marks, "mark"), named.size()),
+                        fmt::format("'{}' takes {}, not {}", kind.name, counted(kind.marks, "mark"),
+                                    named.size()),
                         fmt::format("it means that {}", kind.meaning));
             return;
         }
         for (const YAML::Node& one : named) {
-            if (const auto mark = index_of(one, marks_, "mark")) {
+            if (const auto mark = yaml_.index_of(one, marks_, "mark")) {
                 made.marks.push_back(*mark);
                 label += fmt::format("{}{}", label == kind.name ? " " : ", ", marks_[*mark]);
             }
@@ -336,9 +343,9 @@ private:
         for (const YamlEntry& one : entries) {
             const auto only_of = [&](bool fits) {
                 if (!fits) {
-                    yaml_.error(one.written, fmt::format("'{}' has no {}", kind.name, one.name),
-                                fmt::format("remove it; '{}' means that {}", kind.name,
-                                            kind.meaning));
+                    yaml_.error(
+                        one.written, fmt::format("'{}' has no {}", kind.name, one.name),
+                        fmt::format("remove it; '{}' means that {}", kind.name, kind.meaning));
                 }
                 return fits;
             };
@@ -357,9 +364,9 @@ private:
             yaml_.error(made.written, "'at' has no position", "add position: [x, y] in pixels");
         }
         if (kind.value == ValueUse::must && !has_value) {
-            yaml_.error(made.written, fmt::format("'{}' has no value", kind.name),
-                        fmt::format("add value: NUMBER; '{}' means that {}", kind.name,
-                                    kind.meaning));
+            yaml_.error(
+                made.written, fmt::format("'{}' has no value", kind.name),
+                fmt::format("add value: NUMBER; '{}' means that {}", kind.name, kind.meaning));
         } else if (kind.kind == ConstraintKind::magnification && !(made.value > 0.0)) {
             yaml_.error(made.written, "a magnification must be above 0", "write value: 500");
         }
@@ -482,8 +489,8 @@ Result<Marks> read_marks(const std::filesystem::path& file) {
     if (const auto fault = not_a_file(file, fmt::format("'{}'", file.string()))) {
         return *fault;
     }
-    const auto source = data::read_text(data::File::on_disk(file), largest,
-                                        "write the marks as a text in YAML");
+    const auto source =
+        data::read_text(data::File::on_disk(file), largest, "write the marks as a text in YAML");
     return source ? read_marks(*source) : Result<Marks>(source.diagnostics);
 }
 

@@ -9,6 +9,7 @@
 
 #include "app/solving/camera_problem.hpp"
 #include "app/solving/drawing_file.hpp"
+#include "app/solving/object_marks.hpp"
 #include "app/words.hpp"
 #include "balcony/inputs.hpp"
 #include "balcony/output_file.hpp"
@@ -27,9 +28,9 @@ double as_written(double value, const lang::OpenParameter& parameter) {
     return camera::contains(parameter.limits, rounded) ? rounded : value;
 }
 
-void add_parameters(const lang::OpenCamera& camera, SolveReport& report) {
-    for (std::size_t i = 0; i < camera.open.size(); ++i) {
-        const lang::OpenParameter& one = camera.open[i];
+void add_parameters(const std::vector<lang::OpenParameter>& wanted, SolveReport& report) {
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        const lang::OpenParameter& one = wanted[i];
         double& value = report.solution.values[i];
         value = as_written(value, one);
         report.parameters.push_back(
@@ -83,16 +84,17 @@ Diagnostics warn_of_misses(const SolveReport& report) {
 }
 
 // The expressions that the new file has in place of others.
-std::vector<lang::Override> new_values(const SolveReport& report, const lang::OpenCamera& camera,
+std::vector<lang::Override> new_values(const SolveReport& report,
+                                       const std::vector<lang::OpenParameter>& wanted,
                                        const std::vector<lang::Override>& given) {
     std::vector<lang::Override> values;
     for (const lang::Override& one : given) {
         std::erase_if(values, [&](const lang::Override& other) { return other.name == one.name; });
         values.push_back(one);
     }
-    for (std::size_t i = 0; i < camera.open.size(); ++i) {
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
         const SolvedParameter& solved = report.parameters[i];
-        if (solved.value != camera.open[i].value) {
+        if (solved.value != wanted[i].value) {
             std::erase_if(values,
                           [&](const lang::Override& other) { return other.name == solved.name; });
             values.push_back({solved.name, solved.written});
@@ -130,47 +132,79 @@ Diagnostics check_outputs(const SolveRequest& request) {
     return found;
 }
 
-// The camera with the parameters open that are to be found.
-Result<lang::OpenCamera> open_camera(const CameraArgument& wanted, const Marks& marks,
-                                     lang::Workspace& workspace) {
-    const auto all = workspace.make_open_camera(wanted.file, wanted.name, wanted.overrides);
-    if (!all) {
-        return all.diagnostics;
+// A camera that is asked for with values for parameters, some of which stay open.
+class Subject {
+public:
+    Subject(const CameraArgument& asked, lang::Workspace& workspace)
+        : asked_(asked), workspace_(workspace) {}
+
+    [[nodiscard]] Result<lang::OpenCamera> with_all_open() const {
+        return workspace_.make_open_camera(asked_.file, asked_.name, asked_.overrides);
     }
-    const auto names = wanted_parameters(marks, *all);
-    return names ? workspace.make_open_camera(wanted.file, wanted.name, wanted.overrides, *names)
-                 : Result<lang::OpenCamera>(names.diagnostics);
-}
+
+    /// Makes it with these parameters open, and with values for the closed ones.
+    [[nodiscard]] solve::CameraMaker maker(const WantedParameters& wanted) const {
+        std::vector<std::string> open;
+        for (const lang::OpenParameter& one : wanted.open) {
+            open.push_back(one.name);
+        }
+        return [*this, open,
+                closed = wanted.closed](std::span<const double> values) -> Result<camera::Camera> {
+            std::vector<lang::Override> overrides = asked_.overrides;
+            for (std::size_t i = 0; i < closed.size(); ++i) {
+                overrides.push_back({closed[i].name, lang::literal(values[i], closed[i].is_angle)});
+            }
+            Result<lang::OpenCamera> made =
+                workspace_.make_open_camera(asked_.file, asked_.name, overrides, open);
+            return made ? Result<camera::Camera>(made->camera)
+                        : Result<camera::Camera>(std::move(made.diagnostics));
+        };
+    }
+
+private:
+    const CameraArgument& asked_;
+    lang::Workspace& workspace_;
+};
 
 }  // namespace
 
 Result<SolveReport> solve_camera(const SolveRequest& request, const std::stop_token& stop) {
     Diagnostics found = check_outputs(request);
-    const Result<CameraArgument> wanted = read_camera(request.camera, request.set);
-    if (add(found, wanted.diagnostics) || has_errors(found)) {
+    const Result<CameraArgument> asked = read_camera(request.camera, request.set);
+    if (add(found, asked.diagnostics) || has_errors(found)) {
         return found;
     }
-    const Result<Marks> marks = read_marks(request.marks);
+    Result<Marks> marks = read_marks(request.marks);
     if (add(found, marks.diagnostics)) {
+        return found;
+    }
+    const fs::path scene = scene_of(*marks, request.marks.parent_path());
+    if (add(found, place_on_objects(*marks, scene, stop))) {
         return found;
     }
     lang::Workspace workspace;
     workspace.stop_with(stop);
-    const Result<lang::OpenCamera> camera = open_camera(*wanted, *marks, workspace);
+    const Subject subject(*asked, workspace);
+    const Result<lang::OpenCamera> camera = subject.with_all_open();
     if (add(found, camera.diagnostics)) {
         return found;
     }
+    const Result<WantedParameters> wanted = wanted_parameters(*marks, *camera);
+    if (add(found, wanted.diagnostics)) {
+        return found;
+    }
     std::vector<fs::path> files = workspace.files();
-    add(found, warn_of_other_folder(wanted->file, request.output, files));
+    add(found, warn_of_other_folder(asked->file, request.output, files));
     files.push_back(request.marks);
     files.push_back(request.over);
+    files.push_back(scene);
     for (const auto& [output, option] :
          {std::pair(request.output, "--output"), std::pair(request.drawing, "--drawing")}) {
         if (!output.empty() && add(found, check_overwrites(output, files, option))) {
             return found;
         }
     }
-    Result<solve::Problem> problem = problem_of(*marks, *camera);
+    Result<solve::Problem> problem = problem_of(*marks, *wanted, camera->camera.parts().axes);
     if (add(found, problem.diagnostics)) {
         return found;
     }
@@ -184,17 +218,17 @@ Result<SolveReport> solve_camera(const SolveRequest& request, const std::stop_to
     options.starts = request.starts;
     options.errors.emplace();
     Result<solve::Solution> solution =
-        solve::solve(camera->camera, static_cast<double>(report.width),
+        solve::solve(subject.maker(*wanted), static_cast<double>(report.width),
                      static_cast<double>(report.height), report.problem, options, stop);
     if (add(found, solution.diagnostics)) {
         return found;
     }
     report.solution = std::move(*solution);
-    add_parameters(*camera, report);
+    add_parameters(wanted->all(), report);
     add_correlations(report);
     add(found, warn_of_misses(report));
     Result<std::string> text = workspace.with_values(
-        wanted->file, report.camera, new_values(report, *camera, wanted->overrides));
+        asked->file, report.camera, new_values(report, wanted->all(), asked->overrides));
     if (!text) {
         add(found, text.diagnostics);
         return found;

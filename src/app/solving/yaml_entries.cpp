@@ -84,6 +84,23 @@ std::optional<std::string> YamlEntries::word(const YAML::Node& node, std::string
     return std::nullopt;
 }
 
+std::optional<std::size_t> YamlEntries::index_of(const YAML::Node& node,
+                                                 const std::vector<std::string>& known,
+                                                 std::string_view what) {
+    const auto name = word(node, fmt::format("write the name of a {}", what));
+    if (!name) {
+        return std::nullopt;
+    }
+    const auto found = std::find(known.begin(), known.end(), *name);
+    if (found == known.end()) {
+        error(at(node), fmt::format("there is no {} '{}'", what, *name),
+              known.empty() ? fmt::format("add it to '{}s'", what)
+                            : suggestion(*name, known, fmt::format("the {}s are", what)));
+        return std::nullopt;
+    }
+    return static_cast<std::size_t>(found - known.begin());
+}
+
 std::optional<Marks::Number> YamlEntries::number(const YAML::Node& node, std::string_view remedy) {
     std::string_view text = node.IsScalar() ? std::string_view(node.Scalar()) : "";
     const SourceSpan place = at(node);
@@ -123,7 +140,8 @@ std::optional<double> YamlEntries::positive(const YamlEntry& entry) {
 }
 
 std::optional<std::size_t> YamlEntries::count(const YamlEntry& entry, std::size_t most) {
-    const auto value = entry.value.IsScalar() ? whole_number_of(entry.value.Scalar()) : std::nullopt;
+    const auto value =
+        entry.value.IsScalar() ? whole_number_of(entry.value.Scalar()) : std::nullopt;
     if (!value || *value < 1 || *value > most) {
         error(at(entry.value),
               fmt::format("'{}' must be a whole number from 1 to {}", entry.name, most),
@@ -137,8 +155,7 @@ template <std::size_t count>
 std::optional<std::array<double, count>> YamlEntries::numbers(const YAML::Node& node,
                                                               std::string_view remedy) {
     if (!node.IsSequence() || node.size() != count) {
-        error(at(node), fmt::format("expected {} numbers in brackets", count),
-              std::string(remedy));
+        error(at(node), fmt::format("expected {} numbers in brackets", count), std::string(remedy));
         return std::nullopt;
     }
     std::array<double, count> made{};
@@ -153,8 +170,8 @@ std::optional<std::array<double, count>> YamlEntries::numbers(const YAML::Node& 
 }
 
 std::optional<Imath::V2d> YamlEntries::position(const YAML::Node& node) {
-    const auto read = numbers<2>(
-        node, "a position is written [x, y], in pixels from the upper left corner");
+    const auto read =
+        numbers<2>(node, "a position is written [x, y], in pixels from the upper left corner");
     return read ? std::optional(Imath::V2d((*read)[0], (*read)[1])) : std::nullopt;
 }
 

@@ -46,6 +46,10 @@ public:
     [[nodiscard]] std::vector<YAML::Node> list(const YAML::Node& node) const;
 
     [[nodiscard]] std::optional<std::string> word(const YAML::Node& node, std::string_view remedy);
+    /// The index of a name among those that are known, each of which is a `what`.
+    [[nodiscard]] std::optional<std::size_t> index_of(const YAML::Node& node,
+                                                      const std::vector<std::string>& known,
+                                                      std::string_view what);
     /// A number with or without a unit of angles.
     [[nodiscard]] std::optional<Marks::Number> number(const YAML::Node& node,
                                                       std::string_view remedy);

@@ -33,14 +33,14 @@ std::string parameters_text(const app::SolveReport& report) {
     for (const app::SolvedParameter& one : report.parameters) {
         longest = std::max(longest, one.name.size());
     }
-    std::string text = fmt::format("{:<{}}  {:>14}  {:>14}  {:>14}\n", "parameter", longest, "value",
-                                   "deviation", "first");
+    std::string text = fmt::format("{:<{}}  {:>14}  {:>14}  {:>14}\n", "parameter", longest,
+                                   "value", "deviation", "first");
     for (const app::SolvedParameter& one : report.parameters) {
-        text += fmt::format("{:<{}}  {:>14}  {:>14}  {:>14}\n", printable(one.name), longest,
-                            in_words(one.value, one.is_angle),
-                            std::isfinite(one.deviation) ? in_words(one.deviation, one.is_angle)
-                                                         : "not determined",
-                            in_words(one.first, one.is_angle));
+        text += fmt::format(
+            "{:<{}}  {:>14}  {:>14}  {:>14}\n", printable(one.name), longest,
+            in_words(one.value, one.is_angle),
+            std::isfinite(one.deviation) ? in_words(one.deviation, one.is_angle) : "not determined",
+            in_words(one.first, one.is_angle));
     }
     for (const app::Correlation& one : report.correlations) {
         text += fmt::format("{} and {} are correlated: {:.4f}\n", printable(one.first),
@@ -135,10 +135,10 @@ std::string to_text(const app::SolveReport& report) {
                     counted(report.solution.iterations, "iteration"));
     text += parameters_text(report) + "\n" + constraints_text(report) + "\n";
     if (const auto error = position_error(report)) {
-        text += fmt::format("marks miss their positions by {:.4g} pixels (root mean square)\n",
-                            *error);
+        text +=
+            fmt::format("marks miss their positions by {:.4g} pixels (root mean square)\n", *error);
     }
-    if (const auto errors = summary_of(report.solution.errors)) {
+    if (const auto errors = summary_of(report.solution.errors); errors && errors->most > 0.0) {
         text += fmt::format(
             "expected uncertainty of projections: {:.3g} to {:.3g} pixels, median {:.3g}\n",
             errors->least, errors->most, errors->median);
@@ -148,12 +148,12 @@ std::string to_text(const app::SolveReport& report) {
 
 json to_json(const app::SolveReport& report) {
     const solve::Solution& solution = report.solution;
-    json document{{"camera", report.camera},         {"width", report.width},
-                  {"height", report.height},         {"converged", solution.converged},
+    json document{{"camera", report.camera},           {"width", report.width},
+                  {"height", report.height},           {"converged", solution.converged},
                   {"iterations", solution.iterations}, {"cost", solution.cost},
-                  {"parameters", json::array()},     {"correlations", json::array()},
-                  {"targets", json::array()},        {"marks", json::array()},
-                  {"constraints", json::array()},    {"text", report.text}};
+                  {"parameters", json::array()},       {"correlations", json::array()},
+                  {"targets", json::array()},          {"marks", json::array()},
+                  {"constraints", json::array()},      {"text", report.text}};
     for (const app::SolvedParameter& one : report.parameters) {
         document["parameters"].push_back({{"name", one.name},
                                           {"value", one.value},
@@ -180,17 +180,16 @@ json to_json(const app::SolveReport& report) {
         const solve::Miss& miss = solution.misses[i];
         document["constraints"].push_back(
             {{"name", report.labels[i]},
-             {"missed_by", std::vector<double>(miss.by.begin(),
-                                               miss.by.begin() +
-                                                   static_cast<std::ptrdiff_t>(miss.count))},
+             {"missed_by",
+              std::vector<double>(miss.by.begin(),
+                                  miss.by.begin() + static_cast<std::ptrdiff_t>(miss.count))},
              {"deviations", miss.deviations}});
     }
     const auto errors = summary_of(solution.errors);
-    document["uncertainty"] =
-        errors ? json{{"least", finite(errors->least)},
-                      {"median", finite(errors->median)},
-                      {"most", finite(errors->most)}}
-               : json();
+    document["uncertainty"] = errors ? json{{"least", finite(errors->least)},
+                                            {"median", finite(errors->median)},
+                                            {"most", finite(errors->most)}}
+                                     : json();
     return document;
 }
 

@@ -140,7 +140,7 @@ Result<OpenPicture> open_picture(const MakeOpen& make,
     if (!closed) {
         return std::move(closed.diagnostics);
     }
-    OpenPicture made{closed->picture, {}, closed->others};
+    OpenPicture made{closed->picture, {}, closed->others, {}};
     const std::set<std::string_view> wanted =
         requested ? std::set<std::string_view>(requested->begin(), requested->end())
                   : std::set<std::string_view>();
@@ -172,6 +172,9 @@ Result<OpenPicture> open_picture(const MakeOpen& make,
     const std::set<std::string_view> is_open(open.begin(), open.end());
     std::copy_if(closed->numbers.begin(), closed->numbers.end(), std::back_inserter(made.open),
                  [&](const OpenParameter& number) { return is_open.contains(number.name); });
+    const std::set<std::string_view> is_closed(made.closed.begin(), made.closed.end());
+    std::copy_if(closed->numbers.begin(), closed->numbers.end(), std::back_inserter(made.numbers),
+                 [&](const OpenParameter& number) { return is_closed.contains(number.name); });
     return {std::move(made), std::move(closed.diagnostics)};
 }
 

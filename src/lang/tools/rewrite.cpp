@@ -94,8 +94,8 @@ std::vector<Edit> edits_of_call(const SyntaxTree& tree, const Expression& call,
         const std::size_t end = tree[call.arguments.back().value].span.end;
         edits.push_back({{end, end}, fmt::format(", {}", written_out(further))});
     } else if (!further.empty()) {
-        edits.push_back({{call.name.span.end, call.span.end},
-                         fmt::format("({})", written_out(further))});
+        edits.push_back(
+            {{call.name.span.end, call.span.end}, fmt::format("({})", written_out(further))});
     }
     return edits;
 }
@@ -103,9 +103,8 @@ std::vector<Edit> edits_of_call(const SyntaxTree& tree, const Expression& call,
 // From the end of the text, so that the other spans stay right; what is added behind a value comes
 // before the value.
 std::string edited(std::string text, std::vector<Edit> edits) {
-    std::stable_sort(edits.begin(), edits.end(), [](const Edit& a, const Edit& b) {
-        return a.span.begin > b.span.begin;
-    });
+    std::stable_sort(edits.begin(), edits.end(),
+                     [](const Edit& a, const Edit& b) { return a.span.begin > b.span.begin; });
     for (const Edit& edit : edits) {
         text.replace(edit.span.begin, edit.span.end - edit.span.begin, edit.text);
     }
@@ -123,9 +122,7 @@ std::string literal(double value, bool is_angle, std::string_view instead_of) {
     return degrees ? *degrees + "deg" : radians;
 }
 
-double in_degrees(double radians) {
-    return radians / radians_per_degree * radians_per_degree;
-}
+double in_degrees(double radians) { return radians / radians_per_degree * radians_per_degree; }
 
 std::string rewritten(const Module& module, const LocatedDefinition& written,
                       const std::vector<Override>& values) {
@@ -141,9 +138,8 @@ std::string rewritten(const Module& module, const LocatedDefinition& written,
                            word_for(definition), name, name, values.empty() ? "" : "(",
                            written_out(values), values.empty() ? "" : ")");
     }
-    return edited(text, definition.base.valid()
-                            ? edits_of_call(tree, tree[definition.base], values)
-                            : edits_of_defaults(tree, definition, values));
+    return edited(text, definition.base.valid() ? edits_of_call(tree, tree[definition.base], values)
+                                                : edits_of_defaults(tree, definition, values));
 }
 
 }  // namespace balcony::lang
