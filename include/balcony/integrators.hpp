@@ -25,10 +25,10 @@ struct IntegratorInfo {
 struct BounceLimits {
     static constexpr std::size_t most = 128;  ///< The largest limit.
 
-    std::size_t all = 64;
-    std::size_t diffuse = 64;
-    std::size_t glossy = 16;
-    std::size_t transmission = 16;
+    std::size_t all = most;
+    std::size_t diffuse = most;
+    std::size_t glossy = most;
+    std::size_t transmission = most;
 };
 
 /// How `path` finds the light of lamps with an extent. All give the same mean; each method alone

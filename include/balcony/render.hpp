@@ -209,6 +209,9 @@ struct RayCounts {
     double light = 0.0;              ///< The sum of their luminances.
     double softened_light = 0.0;     ///< Of that, what PathSettings::exact would show sharp.
     double light_left_out = 0.0;     ///< Not of that: what limits of indirect light have cost.
+    double emitted_light = 0.0;      ///< Of the light, what comes from its source directly.
+    /// The throughputs of paths that end at a surface by BounceLimits.
+    double bounces_cut = 0.0;
 
     void add(const RayCounts& other) {
         camera_rays += other.camera_rays;
@@ -217,6 +220,8 @@ struct RayCounts {
         light += other.light;
         softened_light += other.softened_light;
         light_left_out += other.light_left_out;
+        emitted_light += other.emitted_light;
+        bounces_cut += other.bounces_cut;
     }
     /// The part of the light that mirrors and glass have softened.
     [[nodiscard]] double softened_share() const {
@@ -225,6 +230,14 @@ struct RayCounts {
     /// The part of all light that was found that limits have left out.
     [[nodiscard]] double share_left_out() const {
         return light_left_out > 0.0 ? light_left_out / (light + light_left_out) : 0.0;
+    }
+    /// An estimate of the part of all light that BounceLimits cut off. Where a limit ends a path, a
+    /// surface is taken to reflect as much as those that the camera sees do on average, what is cut
+    /// off included: they reflect r = found / hits + r cut / hits.
+    [[nodiscard]] double share_cut_off() const {
+        const double part = hits > 0 ? std::min(bounces_cut / static_cast<double>(hits), 1.0) : 0.0;
+        const double lost = part * (light - emitted_light);
+        return lost > 0.0 ? lost / ((1.0 - part) * light + lost) : 0.0;
     }
 };
 

@@ -36,6 +36,17 @@ def sunny_scene():
     }
 
 
+def write_furnace(folder, albedo):
+    """A closed room whose walls all emit 1 and reflect the albedo: n bounces leave out
+    albedo^(n + 2) of its light."""
+    (folder / "furnace.mtl").write_text(
+        f"newmtl wall\nillum 0\nKd {albedo} {albedo} {albedo}\nKe 1 1 1\n")
+    corners = "".join(f"v {x} {y} {z}\n" for x in (-1, 1) for y in (-1, 1) for z in (-1, 1))
+    (folder / "furnace.obj").write_text(
+        "mtllib furnace.mtl\n" + corners + "usemtl wall\nf 1 2 4 3\nf 5 7 8 6\nf 1 5 6 2\n"
+        "f 3 4 8 7\nf 1 3 7 5\nf 2 6 8 4\n")
+
+
 class Light(support.CommandTest):
     def facts(self, *words, scene="scene.obj", output="p.exr"):
         out, _ = self.run_command("render", scene, "--size", "16x16", "--samples", "1",
@@ -47,6 +58,26 @@ class Light(support.CommandTest):
             with self.subTest(option=option, value=value):
                 self.refused("render", "scene.obj", f"{option}={value}", "-o", "p.exr", code=2,
                              says=option)
+
+    def test_light_beyond_limits_of_bounces(self):
+        words = ("render", "furnace.obj", "-c", "panorama", "--size", "32x16", "--samples", "64",
+                 "-o", "p.exr")
+        for albedo, bounces, says in ((0.75, 3, "; --bounces 128 keeps more"),
+                                      (0.75, 20, None),
+                                      (0.99, 128, "; they are the highest")):
+            with self.subTest(albedo=albedo, bounces=bounces):
+                write_furnace(self.folder, albedo)
+                lost = albedo ** (bounces + 2)
+                limit = ("--bounces", str(bounces))
+                layer = self.json_of(*words, *limit)["layers"][0]
+                # One in eight of the paths that reach a limit tells.
+                self.assertAlmostEqual(layer["cut_off"], lost, delta=0.1 * lost + 0.002)
+                text, _ = self.run_command(*words, *limit)
+                if says is None:
+                    self.assertNotIn("cut off", text)
+                else:
+                    self.assertRegex(text, r"about \d+\.\d % of the light is cut off by limits of "
+                                     "bounces" + says)
 
     def test_numbers_out_of_range(self):
         self.refuses("--environment-rotation", "nan", "inf", "left", "1e9")

@@ -3,6 +3,7 @@
 
 #include "cli/report/render_report.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -28,7 +29,8 @@ nlohmann::json layers_json(const render::Summary& summary) {
                           {"invalid_rays", layer.invalid_rays},
                           {"hits", layer.hits},
                           {"softened_light", rounded(layer.softened_share())},
-                          {"left_out", rounded(layer.share_left_out())}});
+                          {"left_out", rounded(layer.share_left_out())},
+                          {"cut_off", rounded(layer.share_cut_off())}});
     }
     return layers;
 }
@@ -43,9 +45,11 @@ std::string layers_text(const render::Summary& summary) {
     return summary.layers.size() > 1 ? text : "";
 }
 
-// What is blurred or left out against specks, where it is noticeable.
-std::string specks_text(const render::Summary& summary) {
+// What is blurred or left out, where it is noticeable.
+std::string lost_light_text(const render::Summary& summary, const render::BounceLimits& limits) {
     constexpr double noticeable = 0.005;
+    constexpr double noticeable_estimate = 0.01;
+    constexpr std::size_t most = render::BounceLimits::most;
     render::RayCounts all;
     for (const render::Summary::Layer& layer : summary.layers) {
         all.add(layer);
@@ -62,6 +66,14 @@ std::string specks_text(const render::Summary& summary) {
             "  {:.1f} % of the light is left out against specks; --exact without --clamp keeps "
             "it\n",
             100.0 * all.share_left_out());
+    }
+    if (all.share_cut_off() > noticeable_estimate) {
+        text += fmt::format(
+            "  about {:.1f} % of the light is cut off by limits of bounces; {}\n",
+            100.0 * all.share_cut_off(),
+            std::min({limits.all, limits.diffuse, limits.glossy, limits.transmission}) < most
+                ? fmt::format("--bounces {} keeps more", most)
+                : "they are the highest");
     }
     return text;
 }
@@ -223,8 +235,8 @@ std::string text_of(const app::Report& report, const app::Request& request) {
                             *pixel * static_cast<double>(report.width),
                             *pixel * static_cast<double>(report.height));
     }
-    text += layers_text(summary) + specks_text(summary) + fitted_text(report.fitted) +
-            preparation_text(report);
+    text += layers_text(summary) + lost_light_text(summary, request.settings.path.bounces) +
+            fitted_text(report.fitted) + preparation_text(report);
     if (report.denoised) {
         text += fmt::format("  denoised by {} in {:.1f} s\n", report.denoised->used,
                             report.denoised->seconds);

@@ -28,6 +28,8 @@ struct Seen {
     LightParts parts;        ///< Of the radiance.
     float softened = 0.0F;   ///< The luminance that came by way of softened mirrors or glass.
     float left_out = 0.0F;   ///< The luminance that limits have left out.
+    /// The luminance of what of one unit of light a limit of bounces cuts off.
+    float cut = 0.0F;
     VisibleSurface visible;
     VisibleSurface shown;  ///< The same, or what a mirror or clear glass shows instead of itself.
     Coverage coverage;     ///< Of all that is seen directly.

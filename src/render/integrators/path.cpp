@@ -80,6 +80,7 @@ public:
 private:
     // The lanes of the block whose paths go on.
     [[nodiscard]] LaneBits advance(std::size_t count);
+    [[nodiscard]] LaneBits chosen_of_cut(LaneBits lanes);
 
     // What becomes of a path where its ray ends.
     enum class Encounter : std::uint8_t { ends, passes, scatters };
@@ -135,7 +136,21 @@ LaneBits PathTracer::advance(std::size_t count) {
         alone |= ends ? lane_bit(lane) : 0;
     });
     light(scattering, alone);
-    return passing | scatter(scattering & ~alone);
+    return passing | scatter((scattering & ~alone) | chosen_of_cut(alone));
+}
+
+// Paths that end before their last ray. A few go on, for all, to tell what light is cut off.
+LaneBits PathTracer::chosen_of_cut(LaneBits lanes) {
+    constexpr float part = 0.125F;
+    LaneBits chosen = 0;
+    for_each_lane(lanes, [&](std::size_t lane) {
+        if (block_.numbers(lane).next() < part) {
+            block_.path(lane).is_cut = true;
+            block_.path(lane).throughput /= part;
+            chosen |= lane_bit(lane);
+        }
+    });
+    return chosen;
 }
 
 // Adds what the path meets at the end of its ray.
@@ -169,7 +184,11 @@ PathTracer::Encounter PathTracer::meet(std::size_t lane) {
     absorb(path, at.surface.position);
     add_emission(path, at);
     if (path.is_last) {
-        return pass_last_pane(path, at) ? Encounter::passes : Encounter::ends;
+        if (pass_last_pane(path, at)) {
+            return Encounter::passes;
+        }
+        light_.cut(path);
+        return Encounter::ends;
     }
     if (appearance.unlit) {
         return Encounter::ends;
@@ -220,7 +239,8 @@ void PathTracer::weigh_against_guided(Path& path, const Interaction& at) const {
 void PathTracer::add_distant_light(const Path& path) {
     const LightSet& lights = tracer_.lights();
     const bool seen_directly = path.bounces.all == 0;
-    if (!lights.has_distant() || path.is_guided || (seen_directly && !shows_environment_)) {
+    if (!lights.has_distant() || path.is_guided || path.is_cut ||
+        (seen_directly && !shows_environment_)) {
         return;
     }
     const Color3f arriving = lights.radiance_from(path.ray.direction);
@@ -238,7 +258,7 @@ void PathTracer::add_emission(const Path& path, const Interaction& at) {
     const Appearance& appearance = at.appearance();
     const Color3f emitted =
         appearance.unlit ? appearance.base_color : at.emission(path.ray.direction);
-    if (is_black(emitted) || path.is_guided) {
+    if (is_black(emitted) || path.is_guided || path.is_cut) {
         return;
     }
     const float distance = (at.surface.position - path.from.position).length();

@@ -20,6 +20,13 @@ void PathLight::begin(std::span<const CameraRay> rays, std::span<Seen> seen) {
     }
 }
 
+// What guided paths lose is not counted.
+void PathLight::cut(const Path& path) const {
+    if (path.part != Part::guided) {
+        seen_[path.index].cut += luminance(path.before_tail * path.throughput);
+    }
+}
+
 void PathLight::add(const Path& path, const Color3f& light) {
     add(path.part, path.index, light, {path.bounces.all, path.scattered > 1, path.is_softened});
 }

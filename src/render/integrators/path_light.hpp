@@ -38,6 +38,8 @@ public:
     /// The result of a path that is not a guided one.
     [[nodiscard]] Seen& seen(const Path& path) { return seen_[path.index]; }
 
+    /// A limit of bounces ends the path where others would go on.
+    void cut(const Path& path) const;
     /// Light that the path's ray brings.
     void add(const Path& path, const Color3f& light);
     /// Light that arrives along a shadow ray, if nothing is in its way. If glass is, a guided path

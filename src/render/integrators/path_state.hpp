@@ -64,6 +64,8 @@ struct Path {
     /// The ray was chosen otherwise, at a surface from where guided ones start, too.
     bool may_be_guided = false;
     bool is_last = false;  ///< The ray only collects the light that is emitted where it ends.
+    /// Not even that: it only tells whether it ends at a surface, whose light a limit cuts off.
+    bool is_cut = false;
     Part part = Part::whole;
     /// From the tail on, the throughput up to there, and `throughput` counts from there.
     Color3f before_tail{1.0F};

@@ -209,6 +209,8 @@ void Compositor::trace_layer(const Element& element, const Veil& veil, Work& wor
                 static_cast<double>(luminance({seen.radiance.r, seen.radiance.g, seen.radiance.b}));
             count.softened_light += static_cast<double>(seen.softened);
             count.light_left_out += static_cast<double>(seen.left_out);
+            count.emitted_light += static_cast<double>(luminance(seen.parts.emission));
+            count.bounces_cut += static_cast<double>(seen.cut);
         }
         if (!work.seen.empty()) {
             work.seen[layer][i] = {1.0F, seen.parts, seen.shown, seen.coverage};

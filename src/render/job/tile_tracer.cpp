@@ -141,6 +141,7 @@ void TileTracer::trace(const TilePoints& points, const TileRays& rays, const Mas
             seen.parts = {};
             seen.softened = 0.0F;
             seen.left_out = 0.0F;
+            seen.cut = 0.0F;
             seen.coverage = {};
         }
     }
