@@ -145,6 +145,12 @@ class Solve(support.CommandTest):
             "".join(f"  {name}: [{p[0]}, {p[1]}, {p[2]}]\n" for name, p, _ in rows) +
             "constraints:\n" + "".join(f"  - {{at: {name}, position: [{x!r}, {y!r}]}}\n"
                                        for name, _, (x, y) in rows))
+        named = (self.folder / "marks.yml").read_text()
+        (self.folder / "marks.yml").write_text(named.replace("unknowns: [fx, k1]\n", ""))
+        self.refused("solve", "lens.cam", "--with", "marks.yml", code=1,
+                     says="no parameter of the camera 'photo' can be an input of its formulas",
+                     helps="unknowns: [fx]")
+        (self.folder / "marks.yml").write_text(named)
         document = self.json_of("solve", "lens.cam", "--with", "marks.yml", "-o", "solved.cam")
         self.assertAlmostEqual(document["parameters"][0]["value"], 620, 5)
         self.assertAlmostEqual(document["parameters"][1]["value"], -0.1, 7)

@@ -35,8 +35,8 @@ inline const std::string aimed = R"(
     })";
 
 inline lang::OpenCamera open(const lang::CameraSource& source, const std::string& name,
-                      const std::vector<std::string>& parameters,
-                      const std::vector<lang::Override>& overrides = {}) {
+                             const std::vector<std::string>& parameters,
+                             const std::vector<lang::Override>& overrides = {}) {
     auto made = lang::Workspace().make_open_camera(source, name, overrides, parameters);
     for (const Diagnostic& one : made.diagnostics) {
         ADD_FAILURE() << one.message;
@@ -58,8 +58,9 @@ inline Problem problem_of(const lang::OpenCamera& camera) {
 }
 
 // The rays at some points of the picture with these values of the open parameters.
-inline std::vector<rays::Ray> rays_of(const lang::OpenCamera& camera, const std::vector<double>& values,
-                               const std::vector<V2d>& points) {
+inline std::vector<rays::Ray> rays_of(const lang::OpenCamera& camera,
+                                      const std::vector<double>& values,
+                                      const std::vector<V2d>& points) {
     rays::CompileOptions options;
     options.tiles = false;
     options.points = true;
@@ -87,7 +88,7 @@ inline std::vector<rays::Ray> rays_of(const lang::OpenCamera& camera, const std:
 
 // Points at several distances along the rays of a grid, demanded where the rays are, with noise.
 inline void demand_grid(Problem& problem, const lang::OpenCamera& camera,
-                 const std::vector<double>& values, int columns, double noise = 0.0) {
+                        const std::vector<double>& values, int columns, double noise = 0.0) {
     std::vector<V2d> points;
     for (int i = 0; i < columns * columns; ++i) {
         points.emplace_back((i % columns + 0.5) / columns * width,
@@ -110,7 +111,7 @@ inline void demand_grid(Problem& problem, const lang::OpenCamera& camera,
 }
 
 inline Solution solved(const lang::OpenCamera& camera, const Problem& problem,
-                const Options& options = {}) {
+                       const Options& options = {}) {
     auto made = solve(camera.camera, width, height, problem, options);
     for (const Diagnostic& one : made.diagnostics) {
         ADD_FAILURE() << one.message;

@@ -162,6 +162,13 @@ Result<WantedParameters> wanted_parameters(const Marks& marks, const lang::OpenC
         return found;
     }
     const bool all = marks.fixed || !marks.unknowns;
+    if (all && camera.open.empty() && named.empty() && !camera.numbers.empty()) {
+        return error(fmt::format("no parameter of the camera '{}' can be an input of its formulas",
+                                 camera.camera.name()),
+                     {},
+                     fmt::format("name those for which it is to be made anew: unknowns: [{}]",
+                                 camera.numbers.front().name));
+    }
     WantedParameters wanted;
     for (const OpenParameter& one : camera.open) {
         if (!has(fixed, one.name) && (all || has(named, one.name))) {
