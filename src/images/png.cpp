@@ -98,9 +98,9 @@ Result<std::vector<std::uint8_t>> encode_png(const Raster& raster) {
     }
     png_destroy_write_struct(&png, &info);
     if (!written) {
-        return error(Kind::environment,
-                     fmt::format("the picture cannot be encoded as png: {}",
-                                 output.failure.empty() ? "libpng does not start" : output.failure));
+        return error(Kind::environment, fmt::format("the picture cannot be encoded as png: {}",
+                                                    output.failure.empty() ? "libpng does not start"
+                                                                           : output.failure));
     }
     return std::move(output.bytes);
 }
