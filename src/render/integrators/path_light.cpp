@@ -62,9 +62,7 @@ void PathLight::add(const Path& path, const embree::Ray& shadow_ray, const Color
 }
 
 void PathLight::add_scattered(std::uint32_t index, const Color3f& light, const Way& way) const {
-    constexpr float none = std::numeric_limits<float>::infinity();
-    const Color3f added = limited(
-        light, std::min(way.bounces > 1 ? clamp_ : none, way.indirect ? rays_[index].limit : none));
+    const Color3f added = way.indirect ? limited(light, rays_[index].limit) : light;
     Seen& seen = seen_[index];
     seen.left_out += luminance(light) - luminance(added);
     seen.softened += way.softened ? luminance(added) : 0.0F;
@@ -172,7 +170,7 @@ void PathLight::finish(const SceneTracer& tracer) {
         add(one.part, one.index, one.light, {2, true, one.is_softened});
     }
     if (shares_) {
-        tails_.add_light(tracer, clamp_, rays_, seen_);
+        tails_.add_light(tracer, rays_, seen_);
     }
 }
 

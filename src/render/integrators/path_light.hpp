@@ -11,7 +11,6 @@
 // the surface by the others, and multiple importance sampling (Veach 1997) weighs both.
 
 #include <cstddef>
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -27,10 +26,7 @@ namespace balcony::render {
 class PathLight {
 public:
     PathLight(const TracedScene& traced, const PathSettings& settings)
-        : bounces_(settings.bounces),
-          clamp_(settings.clamp_indirect > 0.0F ? settings.clamp_indirect
-                                                : std::numeric_limits<float>::infinity()),
-          shares_(SharedTails::can_share(traced, settings)) {}
+        : bounces_(settings.bounces), shares_(SharedTails::can_share(traced, settings)) {}
 
     /// Of the paths of these rays, which must stay until the end.
     void begin(std::span<const CameraRay> rays, std::span<Seen> seen);
@@ -84,7 +80,6 @@ private:
     void go_on_from_tail(Path& path, const BsdfSample& sample);
 
     BounceLimits bounces_;
-    float clamp_;
     bool shares_;
     std::span<const CameraRay> rays_;
     std::span<Seen> seen_;

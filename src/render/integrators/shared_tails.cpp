@@ -75,7 +75,7 @@ void SharedTails::set_tail(const Path& path, const PlainMaterial& material,
     }
 }
 
-void SharedTails::add_light(const SceneTracer& tracer, float clamp, std::span<const CameraRay> rays,
+void SharedTails::add_light(const SceneTracer& tracer, std::span<const CameraRay> rays,
                             std::span<Seen> seen) {
     constexpr std::uint32_t bucket_count = 512;
     order_.resize(ends_.size());
@@ -98,8 +98,7 @@ void SharedTails::add_light(const SceneTracer& tracer, float clamp, std::span<co
                 continue;
             }
             const Color3f found = lanes_.light.of(lane);
-            const Color3f light =
-                limited(found, head_of(path).is_clear ? clamp : std::min(clamp, rays[path].limit));
+            const Color3f light = head_of(path).is_clear ? found : limited(found, rays[path].limit);
             Seen& to = seen[path];
             to.radiance += Color4f(light.x, light.y, light.z, 0.0F);
             to.softened += std::min(lanes_.softened[lane], luminance(light));

@@ -85,9 +85,8 @@ public:
     void set_tail(const Path& path, const PlainMaterial& material, const Surface& surface);
     [[nodiscard]] Tail& tail(std::uint32_t path) { return tails_[ends_[path].tail]; }
 
-    /// Adds the light of all tails to the heads of their groups, limited by `clamp` and as the rays
-    /// of the heads say.
-    void add_light(const SceneTracer& tracer, float clamp, std::span<const CameraRay> rays,
+    /// Adds the light of all tails to the heads of their groups, limited as the rays of these say.
+    void add_light(const SceneTracer& tracer, std::span<const CameraRay> rays,
                    std::span<Seen> seen);
 
 private:

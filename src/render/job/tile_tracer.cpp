@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace balcony::render {
@@ -55,6 +56,8 @@ TileTracer::TileTracer(const TracedScene& traced, const Settings& settings,
                        const IntegratorRow& integrator, const LightLevels& levels)
     : traced_(&traced),
       levels_(&levels),
+      clamp_(settings.path.clamp_indirect > 0.0F ? settings.path.clamp_indirect
+                                                 : std::numeric_limits<float>::infinity()),
       // Many samples share the filtering; pbrt limits the reduction in the same way.
       footprint_scale_(std::max(0.125, 1.0 / std::sqrt(static_cast<double>(settings.samples)))),
       integrator_(integrator.make(traced, settings)),
@@ -166,7 +169,7 @@ void TileTracer::request(const TilePoints& points, const TileRays& rays, const S
                                   differentials_.of(lane), packet.time[lane]};
         indices_.push_back(i);
         requested_.push_back({ray, packet.hit(lane), sampler, number, groups.of(x, y),
-                              levels_->limit(rays.layer, x, y, points.pass)});
+                              std::min(clamp_, levels_->limit(rays.layer, x, y, points.pass))});
     });
 }
 

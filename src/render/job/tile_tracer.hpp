@@ -74,6 +74,7 @@ private:
 
     const TracedScene* traced_;
     const LightLevels* levels_;
+    float clamp_;  // Of all indirect light.
     double footprint_scale_;
     std::unique_ptr<Integrator> integrator_;
     LightTracer* light_tracer_;
