@@ -66,10 +66,13 @@ Request request_of(bool exact, std::size_t samples, bool reuse = false) {
     return asked;
 }
 
+camera::Camera camera_at_wall() {
+    return pinhole({{0.9, 0.0, 0.0}, {-1.0, 0.0, 0.0}, {0.0, 0.0, -0.5}, {0.0, 0.5, 0.0}});
+}
+
 // Of a wall alone.
 Rendered picture_of(const scene::Scene& scene, const Request& asked) {
-    const View view{{0.9, 0.0, 0.0}, {-1.0, 0.0, 0.0}, {0.0, 0.0, -0.5}, {0.0, 0.5, 0.0}};
-    return render(scene, pinhole(view), asked);
+    return render(scene, camera_at_wall(), asked);
 }
 
 std::vector<double> light_of(const Film& film) {
@@ -159,6 +162,34 @@ TEST(LightLimit, PartsHaveTheLightOfTheWhole) {
             ASSERT_EQ(part.pixel(x, y), whole.pixel(x, y)) << x << ' ' << y;
         }
     }
+}
+
+// Samples that are added later, or made as a shard, have the limits of their places in the whole.
+TEST(LightLimit, LaterSamplesHaveTheLimitsOfTheWhole) {
+    const scene::Scene scene = room_with_spot(100.0F, 0.05F);
+    const Renderer renderer = renderer_of(scene);
+    const Request asked = request_of(false, 8, true);
+    const auto add_passes = [&](Film& film, std::size_t count) {
+        Request part = asked;
+        part.samples = count;
+        ASSERT_TRUE(render::render(renderer, camera_at_wall(), part, film));
+    };
+    const Film whole = picture_of(scene, asked).film;
+    Film resumed = *make_film(asked.layout);
+    add_passes(resumed, 3);
+    Film shards = resumed;
+    add_passes(resumed, 8);
+    EXPECT_EQ(resumed.sum, whole.sum);
+    // One pass each, so that the sums are rounded in the same order.
+    for (std::size_t pass = 3; pass < 8; ++pass) {
+        Film shard = *make_film(asked.layout);
+        shard.first_pass = pass;
+        add_passes(shard, 1);
+        for (std::size_t i = 0; i < shards.sum.size(); ++i) {
+            shards.sum[i] += shard.sum[i];
+        }
+    }
+    EXPECT_EQ(shards.sum, whole.sum);
 }
 
 }  // namespace
