@@ -3,8 +3,7 @@
 
 #include "shading/lights/distant_visibility.hpp"
 
-#include <algorithm>
-#include <utility>
+#include <span>
 
 namespace balcony::render {
 
@@ -16,20 +15,6 @@ constexpr std::size_t probes_at_place = 24;
 
 // So many directions that arrive are as good as what is known without them.
 constexpr float enough = 8.0F;
-
-// The longest side of the box around some points.
-int longest_side(std::span<const DistantProbe> probes) {
-    V3f low = probes.front().position;
-    V3f high = low;
-    for (const DistantProbe& probe : probes) {
-        for (int axis = 0; axis < 3; ++axis) {
-            low[axis] = std::min(low[axis], probe.position[axis]);
-            high[axis] = std::max(high[axis], probe.position[axis]);
-        }
-    }
-    const V3f sides = high - low;
-    return static_cast<int>(std::max_element(&sides.x, &sides.x + 3) - &sides.x);
-}
 
 // A direction that arrives says something about the sectors around its own, too.
 void spread(std::size_t sector, std::span<float> counts) {
@@ -80,39 +65,7 @@ DistantVisibility::Place place_of(std::span<const DistantProbe> probes) {
 
 }  // namespace
 
-DistantVisibility::DistantVisibility(std::vector<DistantProbe> probes) {
-    nodes_.emplace_back();
-    divide(0, probes);
-}
-
-void DistantVisibility::divide(std::size_t node, std::span<DistantProbe> probes) {
-    if (probes.size() < 2 * probes_at_place) {
-        nodes_[node].first = static_cast<std::uint32_t>(places_.size());
-        places_.push_back(place_of(probes));
-        return;
-    }
-    const int axis = longest_side(probes);
-    const auto order = [axis](const DistantProbe& probe) {
-        const V3f& p = probe.position;
-        return std::array{p[axis], p[(axis + 1) % 3], p[(axis + 2) % 3]};
-    };
-    const std::size_t middle = probes.size() / 2;
-    std::nth_element(
-        probes.begin(), probes.begin() + static_cast<std::ptrdiff_t>(middle), probes.end(),
-        [&](const DistantProbe& a, const DistantProbe& b) { return order(a) < order(b); });
-    const auto below = static_cast<std::uint32_t>(nodes_.size());
-    nodes_[node] = {probes[middle].position[axis], axis, below};
-    nodes_.resize(nodes_.size() + 2);
-    divide(below, probes.first(middle));
-    divide(below + 1, probes.subspan(middle));
-}
-
-const DistantVisibility::Place& DistantVisibility::at(const V3f& position) const {
-    const Node* node = &nodes_.front();
-    while (node->axis >= 0) {
-        node = &nodes_[node->first + (position[node->axis] < node->border ? 0 : 1)];
-    }
-    return places_[node->first];
-}
+DistantVisibility::DistantVisibility(std::vector<DistantProbe> probes)
+    : places_(std::span(probes), probes_at_place, place_of) {}
 
 }  // namespace balcony::render

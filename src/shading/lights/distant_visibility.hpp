@@ -8,11 +8,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include <Imath/ImathVec.h>
 
+#include "shading/geometry/place_tree.hpp"
 #include "shading/lights/environment_map.hpp"
 
 namespace balcony::render {
@@ -42,23 +42,13 @@ public:
         }
     };
 
-    /// At least one probe. The result does not depend on their order as long as no two have the
-    /// same position.
+    /// At least one probe. The result does not depend on their order as PlaceTree says.
     explicit DistantVisibility(std::vector<DistantProbe> probes);
 
-    [[nodiscard]] const Place& at(const Imath::V3f& position) const;
+    [[nodiscard]] const Place& at(const Imath::V3f& position) const { return places_.at(position); }
 
 private:
-    // Places divide space by planes across the axes.
-    struct Node {
-        float border = 0.0F;
-        int axis = -1;            // Of a place: none.
-        std::uint32_t first = 0;  // The node below the border, before that above; or the place.
-    };
-    void divide(std::size_t node, std::span<DistantProbe> probes);
-
-    std::vector<Node> nodes_;
-    std::vector<Place> places_;
+    PlaceTree<Place> places_;
 };
 
 /// A surface with this normal, which is 0 for all sides, at a place; null if it is not known what
