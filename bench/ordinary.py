@@ -3,12 +3,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """Writes ten ordinary scenes whose light is hard to find, and renders them.
 
-Usage: ordinary.py BALCONY FOLDER [PLACE ...] [--samples COUNT] [--size WxH]
+Usage: ordinary.py BALCONY FOLDER [PLACE ...] [--samples COUNT] [--size WxH] [--reference COUNT]
 
 Mirrors, glass, brass, tiles, window panes, lamps under shades, a car, a temple, a street: small lamps and suns
 that are seen in smooth surfaces make bright specks in the light that walls scatter. The script prints the
-specks of a picture as rendered, and those with --exact: pixels that a display shows brighter than
-the median of the 7 x 7 around them, by 60 of 255. Borders of lamps and windows count in both.
+specks of a picture as rendered, and those with --exact: pixels that a display shows brighter by 60 of
+255 than the median of the 7 x 7 around them, and by 30 than a reference with COUNT samples (1,024),
+which borders of lamps and glints of the sun are not. References are rendered with another seed, and
+used again if they are in the folder.
 """
 import argparse
 import math
@@ -221,13 +223,15 @@ SUNLIT = {"car": "0.0001", "temple": "0.0003", "street": "0.0001"}  # Of white i
 VIEW = ("-c", "panorama", "--set", "px=0.2", "--set", "py=-0.7", "--set", "pz=1.4")
 
 
-def shown(balcony, scene, picture, options, more):
-    """Renders a picture; gives its size, and how bright a display shows its pixels, row by row."""
-    subprocess.run([balcony, "render", scene, *VIEW, "--size", options.size, "-s",
-                    str(options.samples), "--exposure", "0", "-o", picture, "-q", *more],
+def render(balcony, scene, picture, options, samples, more):
+    subprocess.run([balcony, "render", scene, *VIEW, "--size", options.size, "-s", str(samples),
+                    "--exposure", "0", "-o", picture, "-q", *more],
                    check=True, stderr=subprocess.DEVNULL)
+
+
+def shown(picture, scale):
+    """The size of a picture, and how bright a display shows its pixels, row by row."""
     raw = picture.with_suffix(".ppm")
-    scale = SUNLIT.get(picture.stem.removesuffix("-exact"), "0.25")
     subprocess.run(["oiiotool", picture, "--ch", "R,G,B", "--mulc", scale, "--colorconvert",
                     "linear", "sRGB", "-d", "uint8", "-o", raw], check=True)
     _, size, _, data = raw.read_bytes().split(b"\n", 3)
@@ -237,13 +241,16 @@ def shown(balcony, scene, picture, options, more):
                            for r, g, b in zip(data[::3], data[1::3], data[2::3])]
 
 
-def specks(width, height, light):
-    """How many pixels are much brighter than the median of the 7 x 7 around them."""
+def specks(picture, reference, scale):
+    """How many pixels are much brighter than those around them, and than the reference."""
+    width, height, light = shown(picture, scale)
+    _, _, truth = shown(reference, scale)
     count = 0
     for y in range(3, height - 3):
         for x in range(3, width - 3):
             around = [light[(y + j) * width + x + i] for j in range(-3, 4) for i in range(-3, 4)]
-            count += light[y * width + x] > statistics.median(around) + 60
+            at = y * width + x
+            count += light[at] > max(statistics.median(around) + 60, truth[at] + 30)
     return count
 
 
@@ -255,6 +262,7 @@ def main():
                         help=", ".join(PLACES))
     parser.add_argument("--samples", type=int, default=64)
     parser.add_argument("--size", default="320x160")
+    parser.add_argument("--reference", type=int, default=1024)
     options = parser.parse_args()
     options.folder.mkdir(parents=True, exist_ok=True)
     print(f"{'scene':12}  specks  with --exact")
@@ -262,9 +270,15 @@ def main():
         make, more = PLACES[name]
         scene = options.folder / f"{name}.glb"
         make().write(scene)
-        found = [specks(*shown(options.balcony, scene, options.folder / f"{name}{end}.exr",
-                                    options, (*more, *exact)))
-                 for end, exact in (("", ()), ("-exact", ("--exact",)))]
+        reference = options.folder / f"{name}-{options.size}-{options.reference}.exr"
+        if not reference.exists():
+            render(options.balcony, scene, reference, options, options.reference,
+                   (*more, "--seed", "99"))
+        found = []
+        for end, exact in (("", ()), ("-exact", ("--exact",))):
+            picture = options.folder / f"{name}{end}.exr"
+            render(options.balcony, scene, picture, options, options.samples, (*more, *exact))
+            found.append(specks(picture, reference, SUNLIT.get(name, "0.25")))
         print(f"{name:12}  {found[0]:6}  {found[1]:12}", flush=True)
 
 
