@@ -49,6 +49,9 @@ struct PathSettings {
     /// Before the picture, rays find where the light of environments and suns enters the rooms that
     /// it shows, so that this light is sampled there, with less noise and the same mean.
     bool probes_windows = true;
+    /// Before the picture, paths find the parts of surfaces that lamps light most, such as a patch
+    /// of sun, so that others are sent there, with less noise and the same mean.
+    bool probes_patches = true;
     /// Otherwise, bright specks are kept down: mirrors and glass that are seen by light which a
     /// surface has scattered are blurred, less from pass to pass; and what a path finds at once of
     /// indirect light is limited, less from pass to pass, to a multiple of the light around.

@@ -52,6 +52,7 @@ std::vector<camera::KnownInput> inputs(std::initializer_list<camera::KnownInput>
 Request request_of(const char* integrator) {
     Request made = request(60, 40, integrator, 2);
     made.ambient = Color3f(0.2F);
+    made.path.probes_patches = false;  // They stay those of a job's first values.
     return made;
 }
 

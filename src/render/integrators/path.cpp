@@ -12,6 +12,7 @@
 
 #include "render/integrators/integrator.hpp"
 #include "render/integrators/lamp_weights.hpp"
+#include "render/integrators/patch_guide.hpp"
 #include "render/integrators/path_batch.hpp"
 #include "render/integrators/path_block.hpp"
 #include "render/integrators/path_light.hpp"
@@ -59,7 +60,8 @@ public:
                               bends_light)),
           has_points_(std::any_of(traced.scene->lights.begin(), traced.scene->lights.end(),
                                   is_without_extent)),
-          light_(traced, settings.path) {}
+          light_(traced, settings.path),
+          guide_(traced.patches.get()) {}
 
     void trace(std::span<const CameraRay> rays, std::span<Seen> seen) override {
         softening_ =
@@ -112,6 +114,7 @@ private:
     PathBatch paths_;
     PathLight light_;
     PathBlock block_;
+    PatchGuide guide_;
     std::array<std::optional<LightSample>, PathBlock::size> lamps_;
     std::array<float, PathBlock::size> choices_{};  // They select lobes.
 };
@@ -202,6 +205,7 @@ PathTracer::Encounter PathTracer::meet(std::size_t lane) {
                               ? (path.eye - at.surface.position).normalized()
                               : to_viewer,
                           block_.bsdfs().lit_side(lane), path.ray.time};
+    guide_.find_place(block_, lane);
     light_.begin_tail(block_, lane);
     return Encounter::scatters;
 }
@@ -305,7 +309,10 @@ void PathTracer::add_lamp(std::size_t lane, bool alone) {
     if (sample.emitter.any()) {
         arriving *= tracer_.emission(sample.emitter, sample.to_light, path.ray.time);
     }
-    const float weight = sample.delta || alone ? 1.0F : weights_.of_lamp(sample.pdf, value.pdf);
+    const float weight =
+        sample.delta || alone
+            ? 1.0F
+            : weights_.of_lamp(sample.pdf, guide_.pdf(lane, sample.to_light, value.pdf));
     const Color3f unshadowed = light_.received(
         path, {sample.to_light, weight / sample.pdf * path.throughput * arriving, value.reflected});
     const bool guides = !alone && !sample.delta && weight > 0.0F && may_guide(lane);
@@ -371,7 +378,7 @@ Path PathTracer::guided(std::size_t lane, const Color3f& throughput) {
 LaneBits PathTracer::scatter(LaneBits lanes) {
     for_each_lane(lanes, [&](std::size_t lane) {
         const Imath::V2f at_lobe = block_.numbers(lane).next_pair();
-        block_.bsdfs().set_numbers(lane, {choices_[lane], at_lobe.x, at_lobe.y});
+        guide_.choose(block_, lane, {choices_[lane], at_lobe.x, at_lobe.y});
     });
     block_.bsdfs().sample(lanes);
     LaneBits scattered = 0;
@@ -382,11 +389,12 @@ LaneBits PathTracer::scatter(LaneBits lanes) {
 
 bool PathTracer::scatter(std::size_t lane) {
     Path& path = block_.path(lane);
-    light_.end_head(block_, lane);
-    const std::optional<BsdfSample> sample = block_.bsdfs().sampled(lane);
+    light_.end_head(block_, lane, guide_.place(lane));
+    std::optional<BsdfSample> sample = block_.bsdfs().sampled(lane);
     if (!sample) {
         return false;
     }
+    const float by_chance = guide_.weigh(lane, *sample);
     const Interaction& at = block_.at(lane);
     const bool passes_pane = sample->delta && sample->transmitted && at.appearance().thin_walled;
     // What a pane on the way mirrors, other paths find, with their whole weight.
@@ -397,7 +405,7 @@ bool PathTracer::scatter(std::size_t lane) {
     if (!passes_pane || path.bounces.all == 0 || path.crossings >= max_crossings) {
         count_bounce(path, sample->lobe, settings_->bounces);
     }
-    if (!survives(path, block_.numbers(lane))) {
+    if (!survives(path, block_.numbers(lane), by_chance)) {
         return false;
     }
     if (passes_pane) {

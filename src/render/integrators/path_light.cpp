@@ -104,7 +104,7 @@ void PathLight::start(Path& guided, PathBatch& paths) {
 
 // A head receives the light of tails whether its own ray finds one or not. No tail is shared where
 // light is absorbed on its way, or where a limit is reached.
-void PathLight::end_head(PathBlock& block, std::size_t lane) {
+void PathLight::end_head(PathBlock& block, std::size_t lane, const BrightPatches::Place* place) {
     Path& path = block.path(lane);
     const BsdfMaterial& material = block.bsdfs().material(lane);
     if (path.part != Part::head || !SharedTails::can_end_head(material)) {
@@ -123,7 +123,8 @@ void PathLight::end_head(PathBlock& block, std::size_t lane) {
                                  .throughput = path.throughput,
                                  .time = path.ray.time,
                                  .bounces = bounces,
-                                 .is_clear = path.is_clear});
+                                 .is_clear = path.is_clear,
+                                 .place = place});
     path.part = Part::between;
 }
 

@@ -48,8 +48,9 @@ public:
     /// Guided paths begin among the others.
     void trace_shadow_rays(const SceneTracer& tracer, PathBatch& paths);
 
-    /// At a surface that scatters light, before its next ray is chosen.
-    void end_head(PathBlock& block, std::size_t lane);
+    /// At a surface that scatters light, before its next ray is chosen; with its place as
+    /// PatchGuide::place().
+    void end_head(PathBlock& block, std::size_t lane, const BrightPatches::Place* place);
     /// After add() of the light that the surface emits.
     void begin_tail(PathBlock& block, std::size_t lane);
     /// Multiplies the throughput by what the sample reflects.

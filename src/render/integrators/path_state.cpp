@@ -44,14 +44,19 @@ void count_bounce(Path& path, BsdfLobe lobe, const BounceLimits& limits) {
     }
 }
 
+bool counts_by_surface(const BounceLimits& limits) {
+    constexpr std::size_t many = 4;
+    return std::min(limits.diffuse, limits.glossy) < std::min(limits.all, many);
+}
+
 Color3f limited(const Color3f& light, float limit) {
     return largest(light) > limit ? light * (limit / largest(light)) : light;
 }
 
 float survival(const Color3f& throughput) { return std::min(1.0F, std::sqrt(largest(throughput))); }
 
-bool survives(Path& path, SampleReader& numbers) {
-    const float probability = survival(path.before_tail * path.throughput);
+bool survives(Path& path, SampleReader& numbers, float factor) {
+    const float probability = survival(factor * path.before_tail * path.throughput);
     if (!(probability < 1.0F)) {
         return true;
     }

@@ -85,6 +85,9 @@ void absorb(Path& path, const V3f& position);
 /// that it meets, for which sampling the lamps has left a part.
 void count_bounce(Path& path, BsdfLobe lobe, const BounceLimits& limits);
 
+/// Whether limits of diffuse or of glossy bounces are low, so that it matters which a bounce is.
+[[nodiscard]] bool counts_by_surface(const BounceLimits& limits);
+
 /// Light, or as much of it that its largest channel is the limit.
 [[nodiscard]] Color3f limited(const Color3f& light, float limit);
 
@@ -94,6 +97,7 @@ void count_bounce(Path& path, BsdfLobe lobe, const BounceLimits& limits);
 [[nodiscard]] float survival(const Color3f& throughput);
 
 /// Russian roulette: a path that carries little light ends, or carries more.
-[[nodiscard]] bool survives(Path& path, SampleReader& numbers);
+/// Its light counts so many times.
+[[nodiscard]] bool survives(Path& path, SampleReader& numbers, float factor = 1.0F);
 
 }  // namespace balcony::render

@@ -29,10 +29,7 @@ bool is_wide(const PlainMaterial& material) { return material.roughness > 0.3F; 
 }  // namespace
 
 bool SharedTails::can_share(const TracedScene& traced, const PathSettings& settings) {
-    constexpr std::size_t many = 4;
-    const BounceLimits& limits = settings.bounces;
-    return settings.reuse && !traced.lights.are_at_eye() &&
-           std::min(limits.diffuse, limits.glossy) >= std::min(limits.all, many);
+    return settings.reuse && !traced.lights.are_at_eye() && !counts_by_surface(settings.bounces);
 }
 
 void SharedTails::begin(std::span<const CameraRay> rays) {
@@ -195,7 +192,7 @@ void SharedTails::connect(Indices group, LaneBits owners, const SceneTracer& tra
     set_ways();
     const LaneBits lanes = facing(heads);
     trace(group, lanes, owners, tracer);
-    set_densities(lanes);
+    set_densities(group, lanes, tracer);
     reflect(lanes);
     add(lanes, owners);
 }
@@ -267,13 +264,18 @@ void SharedTails::trace(Indices group, LaneBits lanes, LaneBits owners, const Sc
 }
 
 // The sums of q_k over the heads of each tail.
-void SharedTails::set_densities(LaneBits lanes) {
+void SharedTails::set_densities(Indices group, LaneBits lanes, const SceneTracer& tracer) {
+    const BrightPatches* const patches = tracer.scene().patches.get();
     std::array<float, tails_at_once> sums{};
     for_each_lane(lanes, [&](std::size_t lane) {
         const float pdf = at_.at_head.pdf[lane];
         const Color3f throughput =
             lanes_.throughput.of(lane) * at_.at_head.reflected.of(lane) / pdf;
-        sums[lane / group_size] += at_.per_area[lane] * pdf * survival(throughput);
+        const BrightPatches::Place* const place = head_of(group[lane % group_size]).place;
+        const float mixed = place == nullptr ? pdf
+                                             : patches->mixed_pdf(*place, lanes_.start.of(lane),
+                                                                  at_.to_tail.of(lane), pdf);
+        sums[lane / group_size] += at_.per_area[lane] * mixed * survival(throughput);
     });
     for (std::size_t lane = 0; lane < plain_lanes::size; ++lane) {
         at_.density[lane] = sums[lane / group_size];

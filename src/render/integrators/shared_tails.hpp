@@ -13,7 +13,8 @@
 //
 //     q_k = transmittance(k, y) · survival(k, y) · pdf(k, y) · cosine(y) / distance(k, y)²,
 //
-// where the cosine is that at the tail. The light of the tail is divided by the sum of q_k over all
+// where the cosine is that at the tail, and the density is that of directions to bright patches,
+// too (bright_patches.hpp). The light of the tail is divided by the sum of q_k over all
 // heads of the group: the balance heuristic of multiple importance sampling (Veach 1997), which has
 // no bias.
 //
@@ -35,12 +36,13 @@ namespace balcony::render {
 /// The end of a path's head.
 struct Head {
     plain_lanes::Surface surface;
-    V3f to_viewer;       ///< Unit.
-    V3f start;           ///< Of the ray to the tail.
-    Color3f throughput;  ///< Of the path up to the surface.
-    float time = 0.0F;   ///< Only heads of the same time
-    Bounces bounces;     ///< and the same numbers of bounces share their tails.
-    bool is_clear;       ///< The surface shows others, in focus, instead of itself.
+    V3f to_viewer;                      ///< Unit.
+    V3f start;                          ///< Of the ray to the tail.
+    Color3f throughput;                 ///< Of the path up to the surface.
+    float time = 0.0F;                  ///< Only heads of the same time
+    Bounces bounces;                    ///< and the same numbers of bounces share their tails.
+    bool is_clear;                      ///< The surface shows others, in focus, instead of itself.
+    const BrightPatches::Place* place;  ///< Null where no path is sent to a bright patch.
 };
 
 /// Light that arrives at a tail.
@@ -125,7 +127,7 @@ private:
     void set_ways();
     [[nodiscard]] LaneBits facing(LaneBits heads);
     void trace(Indices group, LaneBits lanes, LaneBits owners, const SceneTracer& tracer);
-    void set_densities(LaneBits lanes);
+    void set_densities(Indices group, LaneBits lanes, const SceneTracer& tracer);
     void reflect(LaneBits lanes);
     void add(LaneBits lanes, LaneBits owners);
 

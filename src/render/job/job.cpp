@@ -14,6 +14,7 @@
 #include "render/job/coarse_rays.hpp"
 #include "render/job/distant_probes.hpp"
 #include "render/job/lighting.hpp"
+#include "render/job/patch_probes.hpp"
 #include "render/job/point_blender.hpp"
 #include "render/job/renderer_state.hpp"
 #include "render/job/run.hpp"
@@ -147,6 +148,9 @@ void choose_light(JobParts& parts, PictureRays& rays, const Film& film,
         if (settings.path.probes_windows) {
             parts.traced.lights = parts.traced.lights.with(
                 distant_visibility(parts.traced, rays, film, settings, stop));
+        }
+        if (settings.path.probes_patches) {
+            parts.traced.patches = bright_patches(parts.traced, rays, film, settings, stop);
         }
         if (!settings.path.exact) {
             parts.levels = LightLevels(parts.traced, settings, *parts.integrator, rays, film, stop);

@@ -5,7 +5,7 @@
 
 namespace balcony::render {
 
-void BsdfBlock::clear() { plain_ = 0; }
+void BsdfBlock::clear() { plain_ = given_ = 0; }
 
 bool BsdfBlock::add(std::size_t place, const Interaction& at, const V3f& to_viewer,
                     float least_roughness) {
@@ -59,6 +59,11 @@ Bsdf::Value BsdfBlock::value(std::size_t place) const {
 void BsdfBlock::sample(LaneBits places) {
     if ((places & plain_) != 0) {
         plain_lanes::sample(surfaces_, views_, random_, directions_);
+        for_each_lane(given_, [&](std::size_t place) {
+            directions_.to_light.set(place, to_light_.of(place));
+            directions_.facet_normal.set(place, surfaces_.normal.of(place));
+            directions_.by_facet &= ~lane_bit(place);
+        });
         plain_lanes::evaluate(places & plain_, surfaces_, views_, directions_.to_light, sampled_);
     }
     for_each_lane(places & ~plain_, [&](std::size_t place) {

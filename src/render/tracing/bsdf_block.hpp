@@ -40,6 +40,14 @@ public:
     void evaluate(LaneBits places);
     [[nodiscard]] Bsdf::Value value(std::size_t place) const;
 
+    /// Whether sample() may be given a direction.
+    [[nodiscard]] bool is_plain(std::size_t place) const { return (plain_ & lane_bit(place)) != 0; }
+    /// For sample(): the unit direction that it is to take, as one of the diffuse lobe. After
+    /// evaluate().
+    void set_direction(std::size_t place, const V3f& to_light) {
+        given_ |= lane_bit(place);
+        to_light_.set(place, to_light);
+    }
     /// For sample(): three numbers in [0, 1).
     void set_numbers(std::size_t place, const V3f& random) { random_.set(place, random); }
     void sample(LaneBits places);
@@ -56,6 +64,7 @@ private:
     };
 
     LaneBits plain_ = 0;
+    LaneBits given_ = 0;  // Directions for sample().
     std::array<const BsdfMaterial*, size> materials_{};
     std::array<std::optional<BsdfMaterial>, size> varying_;
     std::array<std::optional<Single>, size> singles_;

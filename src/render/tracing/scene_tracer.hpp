@@ -12,6 +12,7 @@
 #include "balcony/scene.hpp"
 #include "film/sums/tile_image.hpp"
 #include "render/embree/accelerator.hpp"
+#include "render/tracing/bright_patches.hpp"
 #include "shading/lights/light_set.hpp"
 #include "shading/materials/bsdf.hpp"
 #include "shading/materials/material_set.hpp"
@@ -28,7 +29,8 @@ struct TracedScene {
     LightSet lights;
     std::shared_ptr<const TextureLibrary> textures;
     MaterialSet materials;
-    scene::TimeInterval interval{};  ///< The times of rays from 0 to 1.
+    scene::TimeInterval interval{};                  ///< The times of rays from 0 to 1.
+    std::shared_ptr<const BrightPatches> patches{};  ///< Null: no path is sent to any.
 };
 
 /// The first surface on a ray.
