@@ -54,6 +54,11 @@ public:
     [[nodiscard]] virtual const packet_lanes::Differentials& of_packet(std::size_t packet) = 0;
 };
 
+/// Whether rays that leave the scene show the environment.
+[[nodiscard]] inline bool shows_environment(const TracedScene& traced, const Settings& settings) {
+    return traced.lights.has_environment() && !settings.background && settings.light.visible;
+}
+
 /// A faster way to the radiance alone, for integrators without random numbers.
 class LightTracer {
 public:

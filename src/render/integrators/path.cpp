@@ -52,8 +52,7 @@ public:
         : tracer_(traced),
           settings_(&settings.path),
           weights_{settings.path.lamp_sampling},
-          shows_environment_(traced.lights.has_environment() && !settings.background &&
-                             settings.light.visible),
+          shows_environment_(shows_environment(traced, settings)),
           footprint_scale_(1.0F / std::sqrt(static_cast<float>(settings.samples))),
           textured_(traced.materials.has_textures()),
           guides_(std::any_of(traced.scene->materials.begin(), traced.scene->materials.end(),

@@ -104,8 +104,10 @@ void Compositor::sample_all(const TilePoints& points, const Region& counted, con
         if (wanted.mirrored) {
             image_.mirrored.push_back(all.mirrored);
         }
-        invalid_pixels_ +=
-            points.pass == 0 && all.presence <= 0.0F && counted.contains(x, y) ? 1 : 0;
+        invalid_pixels_ += points.pass == 0 && points.is_active(i) && all.presence <= 0.0F &&
+                                   counted.contains(x, y)
+                               ? 1
+                               : 0;
     });
     if (wanted.contributions) {
         image_.contributions = contributions(work);

@@ -155,6 +155,7 @@ void choose_light(JobParts& parts, PictureRays& rays, const Film& film,
         if (!settings.path.exact) {
             parts.levels = LightLevels(parts.traced, settings, *parts.integrator, rays, film, stop);
         }
+        parts.common_light = common_light(parts.traced, settings, *parts.integrator, rays, film);
     } else if (!settings.ambient) {
         settings.ambient = ambient_of(parts.traced, rays, film, settings.time);
     }
@@ -167,6 +168,11 @@ std::vector<std::string> names_of(const std::vector<Named>& all) {
         names.push_back(one.name);
     }
     return names;
+}
+
+std::shared_ptr<Supersampling> supersampling_of(const JobParts& parts) {
+    return std::make_shared<Supersampling>(parts.traced, parts.settings, parts.form.size,
+                                           parts.common_light);
 }
 
 // The names and colours of a picture, and the sums that it needs.
@@ -201,6 +207,7 @@ struct Job::State {
     std::shared_ptr<const JobParts> parts;
     PictureInputs inputs;
     std::shared_ptr<Film> film;
+    std::shared_ptr<Supersampling> supersampling;  // Of these inputs.
 };
 
 Result<Job> Job::make(const Renderer& renderer, const camera::Picture& picture,
@@ -262,8 +269,10 @@ Result<Job> Job::make(const Renderer& renderer, const camera::Picture& picture,
         prepare(film, *parts);
         parts->motion = motion_of(traced, parts->picture, settings, film);
         parts->compile_seconds = watch.seconds();
+        auto supersampling = supersampling_of(*parts);
         return Job(std::make_shared<const State>(State{renderer.state_, picture, std::move(parts),
-                                                       std::move(*inputs), std::move(shared)}));
+                                                       std::move(*inputs), std::move(shared),
+                                                       std::move(supersampling)}));
     } catch (const std::bad_alloc&) {
         return out_of_memory();
     }
@@ -280,6 +289,7 @@ Diagnostics Job::set_inputs(std::span<const camera::KnownInput> inputs) {
         measure_focus(moved.inputs, parts.traced, parts.central, film, parts.settings.time);
         begin_anew(film, film.window);
         film.white = parts.settings.sampling.white.value_or(0.0);
+        moved.supersampling = supersampling_of(parts);
         state_ = std::make_shared<const State>(std::move(moved));
         return {};
     } catch (const std::bad_alloc&) {
@@ -311,9 +321,9 @@ Result<Summary> Job::run(std::span<const std::uint32_t> passes, const ProgressCa
     }
     try {
         const JobParts& parts = *state_->parts;
-        return {
-            render::run(parts, state_->inputs, *state_->film, passes, progress, std::move(stop)),
-            parts.traced.textures->warnings()};
+        return {render::run(parts, state_->inputs, *state_->supersampling, *state_->film, passes,
+                            progress, std::move(stop)),
+                parts.traced.textures->warnings()};
     } catch (const std::bad_alloc&) {
         return out_of_memory();
     }

@@ -21,15 +21,17 @@ namespace {
 // All passes over all tiles on a number of threads.
 class Run {
 public:
-    Run(const JobParts& parts, const PictureInputs& inputs, Film& film,
-        std::span<const std::uint32_t> passes, const ProgressCallback& progress,
+    Run(const JobParts& parts, const PictureInputs& inputs, Supersampling& supersampling,
+        Film& film, std::span<const std::uint32_t> passes, const ProgressCallback& progress,
         std::stop_token stop)
         : parts_(parts),
           film_(film),
           passes_(passes),
           last_pass_(*std::max_element(passes.begin(), passes.end())),
           tiles_(tiles_missing()),
-          workers_([&parts, &inputs, &film] { return TileWorker(parts, inputs, film); }),
+          workers_([&parts, &inputs, &supersampling, &film] {
+              return TileWorker(parts, inputs, supersampling, film);
+          }),
           progress_(progress),
           stop_(std::move(stop)) {}
 
@@ -155,10 +157,10 @@ private:
 
 }  // namespace
 
-Summary run(const JobParts& parts, const PictureInputs& inputs, Film& film,
-            std::span<const std::uint32_t> passes, const ProgressCallback& progress,
+Summary run(const JobParts& parts, const PictureInputs& inputs, Supersampling& supersampling,
+            Film& film, std::span<const std::uint32_t> passes, const ProgressCallback& progress,
             std::stop_token stop) {
-    return Run(parts, inputs, film, passes, progress, std::move(stop))();
+    return Run(parts, inputs, supersampling, film, passes, progress, std::move(stop))();
 }
 
 }  // namespace balcony::render

@@ -12,7 +12,8 @@
 namespace balcony::render {
 
 /// Adds passes to the tiles of a film until each has its number of them: see Job::run().
-[[nodiscard]] Summary run(const JobParts& parts, const PictureInputs& inputs, Film& film,
+[[nodiscard]] Summary run(const JobParts& parts, const PictureInputs& inputs,
+                          Supersampling& supersampling, Film& film,
                           std::span<const std::uint32_t> passes, const ProgressCallback& progress,
                           std::stop_token stop);
 

@@ -168,7 +168,8 @@ void TileTracer::request(const TilePoints& points, const TileRays& rays, const S
         const DifferentialRay ray{V3f(rays.all.origin(i)), V3f(rays.all.direction(i)),
                                   differentials_.of(lane), packet.time[lane]};
         indices_.push_back(i);
-        requested_.push_back({ray, packet.hit(lane), sampler, number, groups.of(x, y),
+        const std::uint32_t group = points.near_groups ? groups.near(x, y) : groups.of(x, y);
+        requested_.push_back({ray, packet.hit(lane), sampler, number, group,
                               std::min(clamp_, levels_->limit(rays.layer, x, y, points.pass))});
     });
 }

@@ -14,6 +14,7 @@
 #include "balcony/render.hpp"
 #include "render/job/compositor.hpp"
 #include "render/job/frame_motion.hpp"
+#include "render/job/supersampling.hpp"
 #include "render/sampling/pass_offset.hpp"
 
 namespace balcony::render {
@@ -40,6 +41,7 @@ struct JobParts {
     std::optional<SubstituteLight> substitute{};  ///< As Summary::substitute.
     std::shared_ptr<const FrameMotion> motion{};  ///< Null if the film has no such layer.
     LightLevels levels{};
+    std::optional<float> common_light{};  ///< common_light() of `path`.
     double compile_seconds = 0.0;
 };
 
@@ -58,7 +60,8 @@ struct WorkCounts {
 /// Adds passes to the tiles of a film; belongs to one thread.
 class TileWorker {
 public:
-    TileWorker(const JobParts& parts, const PictureInputs& inputs, Film& film);
+    TileWorker(const JobParts& parts, const PictureInputs& inputs, Supersampling& supersampling,
+               Film& film);
 
     /// Adds the tile's next pass. Pass 0 also fills the film's layers. False if no pixel of the
     /// tile needs it.
@@ -74,15 +77,24 @@ private:
         PassNumbers numbers;
     };
     [[nodiscard]] const Pass& pass(std::size_t number);
+    // A sample of the marked points of a region, or of all if there is no mask.
+    [[nodiscard]] TileImage& sample(const Region& region, std::size_t number, const Mask* active,
+                                    const Region& counted, bool near_groups = false);
+    // A sample of most points, and several of the marked ones, which are counted once.
+    [[nodiscard]] TileImage& sample_more(const Region& region, std::size_t number,
+                                         const Mask& marked);
 
     const Settings* settings_;
     const FrameMotion* motion_;
     Film* film_;
     const PixelFilter* filter_;
-    std::optional<Pass> pass_;  // Kept for the next tile.
+    std::array<std::optional<Pass>, samples_of_pass + 1> passes_;  // Kept for the next tile.
+    Supersampling* supersampling_;
+    PictureRays rays_;
     Compositor compositor_;
     MotionCounts motion_counts_;
-    Mask active_;  // Of the tile at work; kept for its memory.
+    Mask active_;      // Of the tile at work; kept for its memory.
+    TileImage mixed_;  // Likewise.
     double seconds_ = 0.0;
 };
 
