@@ -115,7 +115,7 @@ TEST(Denoise, MakesARoomBetterAtEveryScale) {
         const auto done = denoise(film, own);
         ASSERT_TRUE(done) << to_text(done.diagnostics);
         EXPECT_LT(error_of(film, clean_room()), 0.5 * error_of(noisy, clean_room()));
-        for (const std::size_t side : {1U, 2U, 4U, 8U}) {
+        for (const std::size_t side : {1U, 2U, 4U, 8U, 16U}) {
             const double before = error_of(noisy, clean_room(), side);
             const double after = error_of(film, clean_room(), side);
             std::cout << (reuse ? "with" : "without") << " path reuse, boxes of " << side << ": "

@@ -3,6 +3,7 @@
 
 #include "film/denoise/light_filter.hpp"
 
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -78,27 +79,6 @@ double limit_outliers(Halves& halves, const Plane& part, const Canvas& canvas) {
     return std::accumulate(left_out.begin(), left_out.end(), 0.0);
 }
 
-// The squared error of the mean of both halves of a candidate, up to a term that all candidates
-// have in common: each half is compared with the samples of the other one, whose noise is
-// independent. The mean has less noise than a half, by what their difference tells.
-Plane squared_error(const Halves& candidate, const Halves& samples, const Plane& part,
-                    const Plane& weight, const Canvas& canvas) {
-    const auto square = [](float v) { return v * v; };
-    Plane made(canvas.size());
-    for_each_pixel(canvas, [&](std::size_t i) {
-        float sum = 0.0F;
-        for (std::size_t c = 0; c < colors; ++c) {
-            const float a = candidate[first + c][i];
-            const float b = candidate[second + c][i];
-            sum += mean(square(a - samples[second + c][i]), square(b - samples[first + c][i]),
-                        part[i]) -
-                   part[i] * (1.0F - part[i]) * square(a - b);
-        }
-        made[i] = weight[i] * sum;
-    });
-    return box_mean(made, 1, canvas);
-}
-
 // By which squared errors become relative to the light nearby.
 Plane relative_to(const Halves& light, const Plane& part, const Canvas& canvas) {
     constexpr double darkest = 0.01;  // Of the mean of the picture.
@@ -116,28 +96,79 @@ Plane relative_to(const Halves& light, const Plane& part, const Canvas& canvas) 
 
 using Candidates = std::array<Halves, std::tuple_size_v<Stack>>;
 
-// In each pixel, that of the candidates, from noisy to smooth, whose error is the least in pixels
-// nearby that show the same surface. The smoother one is taken if the difference may be chance.
-Halves best_of(const Candidates& candidates, const Plane& part, const Plane& weight,
-               const SurfaceFilter& filter) {
-    const Canvas& canvas = filter.canvas();
-    Stack errors;
-    for (std::size_t k = 0; k < errors.size(); ++k) {
-        errors[k] = squared_error(candidates[k], candidates.front(), part, weight, canvas);
-    }
-    for (std::size_t spacing = 1; spacing <= 16; spacing *= 2) {
-        errors = filter.filtered(errors, spacing, nullptr);
-    }
-    Halves made;
-    made.fill(Plane(canvas.size()));
+// What a candidate has more than the next smoother one is a detail. The part of it which makes the
+// squared error the least is a quotient of means over pixels nearby that show the same surface.
+// Each half is compared with the samples of the other one, whose noise is independent.
+struct Detail {
+    Plane agreement;  // Of the detail with what the smoother candidate lacks.
+    Plane square;
+};
+
+Detail detail_of(const Halves& candidate, const Halves& smoother, const Halves& samples,
+                 const Plane& part, const Plane& weight, const Canvas& canvas) {
+    Detail made{Plane(canvas.size()), Plane(canvas.size())};
     for_each_pixel(canvas, [&](std::size_t i) {
-        std::size_t best = errors.size() - 1;
-        const float chance = 0.01F * errors[0][i];
-        for (std::size_t k = best; k-- > 0;) {
-            best = errors[k][i] < errors[best][i] - chance ? k : best;
+        for (std::size_t c = 0; c < colors; ++c) {
+            const float a = smoother[first + c][i];
+            const float b = smoother[second + c][i];
+            const float more_a = candidate[first + c][i] - a;
+            const float more_b = candidate[second + c][i] - b;
+            const float more = mean(more_a, more_b, part[i]);
+            // The mean of both halves has less noise than a half, by what their difference tells.
+            made.agreement[i] +=
+                weight[i] * (mean(more_a * (samples[second + c][i] - a),
+                                  more_b * (samples[first + c][i] - b), part[i]) +
+                             part[i] * (1.0F - part[i]) * (a - b) * (more_a - more_b));
+            made.square[i] += weight[i] * more * more;
+        }
+    });
+    return {box_mean(made.agreement, 1, canvas), box_mean(made.square, 1, canvas)};
+}
+
+// The smoothest of the candidates, which are from noisy to smooth, and parts of the details of the
+// others, within the range of all. What the part leaves out is noise; a detail whose square is far
+// beyond that of the noise nearby is kept.
+Halves blended(const Candidates& candidates, const Plane& part, const Plane& weight,
+               const SurfaceFilter& filter) {
+    constexpr std::size_t farthest = 8;
+    constexpr std::size_t smoothest = std::tuple_size_v<Candidates> - 1;
+    const Canvas& canvas = filter.canvas();
+    constexpr float far_beyond = 8.0F;
+    Stack agreements;
+    Stack squares;
+    agreements[smoothest].resize(canvas.size());
+    squares[smoothest].resize(canvas.size());
+    for (std::size_t k = 0; k < smoothest; ++k) {
+        Detail detail =
+            detail_of(candidates[k], candidates[k + 1], candidates.front(), part, weight, canvas);
+        agreements[k] = std::move(detail.agreement);
+        squares[k] = std::move(detail.square);
+    }
+    const Stack own_squares = squares;
+    for (std::size_t spacing = 1; spacing <= farthest; spacing *= 2) {
+        agreements = filter.filtered(agreements, spacing, nullptr);
+        squares = filter.filtered(squares, spacing, nullptr);
+    }
+    Halves made = candidates[smoothest];
+    for_each_pixel(canvas, [&](std::size_t i) {
+        std::array<float, smoothest> factors;
+        for (std::size_t k = 0; k < smoothest; ++k) {
+            const float usual = agreements[k][i] / (squares[k][i] + 1e-20F);
+            const float noise_square = (1.0F - usual) * squares[k][i];
+            const float distinct = 1.0F - far_beyond * noise_square / (own_squares[k][i] + 1e-20F);
+            factors[k] = std::clamp(std::max(usual, distinct), 0.0F, 1.0F);
         }
         for (std::size_t plane = 0; plane < made.size(); ++plane) {
-            made[plane][i] = candidates[best][plane][i];
+            float low = made[plane][i];
+            float high = low;
+            float sum = low;
+            for (std::size_t k = smoothest; k-- > 0;) {
+                const float value = candidates[k][plane][i];
+                sum += factors[k] * (value - candidates[k + 1][plane][i]);
+                low = std::min(low, value);
+                high = std::max(high, value);
+            }
+            made[plane][i] = std::clamp(sum, low, high);
         }
     });
     return made;
@@ -153,12 +184,10 @@ void multiply_by(const Surfaces& surfaces, float (*factor)(float albedo), Halves
     }
 }
 
-// The mean of both halves of the filtered light, and what it lacks, or has too much, over areas of
-// some eight pixels, as far as both halves of the samples agree on it.
-std::array<Plane, 3> with_means_of(const Halves& samples, const Halves& light, const Plane& part,
-                                   const Plane& weight, const Canvas& canvas) {
-    constexpr std::size_t radius = 3;
-    constexpr float largest_part = 0.1F;  // A bright spot has no halo.
+// Adds to the light what it lacks, or has too much, over areas of about this radius, as far as both
+// halves of the samples agree on it in the whole picture.
+void restore_means(const Halves& samples, std::size_t radius, const Plane& part,
+                   const Plane& weight, const Canvas& canvas, Halves& light) {
     Stack lacking;
     for (std::size_t plane = 0; plane < lacking.size(); ++plane) {
         lacking[plane].resize(canvas.size());
@@ -179,14 +208,34 @@ std::array<Plane, 3> with_means_of(const Halves& samples, const Halves& light, c
         }
     }
     const auto sure = static_cast<float>(all > 0.0 ? std::clamp(agreed / all, 0.0, 1.0) : 0.0);
+    for (std::size_t plane = 0; plane < light.size(); ++plane) {
+        for_each_pixel(canvas, [&](std::size_t i) { light[plane][i] += sure * lacking[plane][i]; });
+    }
+}
+
+// The mean of both halves of the filtered light, with the means of the samples over large areas,
+// then smaller ones, down to pixels. No pixel is darker than all samples nearby.
+std::array<Plane, 3> with_means_of(const Halves& samples, const Halves& light, const Plane& part,
+                                   const Plane& weight, const Canvas& canvas) {
+    constexpr std::array<std::size_t, 4> radii{7, 3, 1, 0};
+    constexpr float largest_part = 0.1F;  // A bright spot has no halo.
+    Halves restored = light;
+    for (const std::size_t radius : radii) {
+        restore_means(samples, radius, part, weight, canvas, restored);
+    }
     std::array<Plane, 3> made;
     for (std::size_t c = 0; c < colors; ++c) {
         made[c].resize(canvas.size());
+        Plane negative(canvas.size());
+        for_each_pixel(canvas, [&](std::size_t i) {
+            negative[i] = -mean(samples[first + c][i], samples[second + c][i], part[i]);
+        });
+        const Plane darkest = box_maximum(negative, 1, canvas);
         for_each_pixel(canvas, [&](std::size_t i) {
             const float found = mean(light[first + c][i], light[second + c][i], part[i]);
-            const float change =
-                sure * mean(lacking[first + c][i], lacking[second + c][i], part[i]);
-            made[c][i] = found + std::clamp(change, -largest_part * found, largest_part * found);
+            const float wanted = mean(restored[first + c][i], restored[second + c][i], part[i]);
+            const float limit = largest_part * std::abs(found);
+            made[c][i] = std::max(found + std::clamp(wanted - found, -limit, limit), -darkest[i]);
         });
     }
     return made;
@@ -226,7 +275,7 @@ FilteredLight filtered(Halves halves, const Plane& part, const SurfaceFilter& fi
         candidates[k] = filter.filtered(before, std::size_t{1} << (k - 1), &guide);
     }
     const Plane weight = relative_to(candidates.back(), part, canvas);
-    Halves best = best_of(candidates, part, weight, filter);
+    Halves best = blended(candidates, part, weight, filter);
     multiply_by(
         filter.surfaces(), [](float albedo) { return albedo; }, best, canvas);
     made.light = with_means_of(halves, best, part, weight, canvas);
