@@ -93,8 +93,8 @@ scene::Material paint(float albedo, float roughness = 1.0F) {
     return material;
 }
 
-// A closed room of side 2 with a glossy floor, a screen, a pane and a lamp.
-scene::Scene room() {
+// A closed room of side 2 with a glossy floor, a screen, a pane and a square lamp at the ceiling.
+scene::Scene room(float lamp_side = 1.0F) {
     scene::Scene scene;
     const V3f x(2.0F, 0.0F, 0.0F);
     const V3f y(0.0F, 2.0F, 0.0F);
@@ -113,13 +113,16 @@ scene::Scene room() {
     add(scene, parallelogram({0.3F, -0.9F, -0.5F}, {0.0F, 0.0F, 0.8F}, {0.0F, 0.7F, 0.0F}), pane);
     scene::Material lamp = paint(0.0F);
     lamp.emission = Color3f(0.2F);
-    add(scene, parallelogram({-0.5F, 0.99F, -0.5F}, {1.0F, 0.0F, 0.0F}, {0.0F, 0.0F, 1.0F}), lamp);
+    add(scene,
+        parallelogram({-lamp_side / 2.0F, 0.99F, -lamp_side / 2.0F}, {lamp_side, 0.0F, 0.0F},
+                      {0.0F, 0.0F, lamp_side}),
+        lamp);
     return scene;
 }
 
 // With a spot of light on the floor.
-scene::Scene room_with_spot() {
-    scene::Scene scene = room();
+scene::Scene room_with_spot(float lamp_side = 1.0F) {
+    scene::Scene scene = room(lamp_side);
     scene::Light spot;
     spot.kind = scene::LightKind::spot;
     spot.position = V3d(0.3, 0.9, 0.2);
@@ -153,7 +156,9 @@ struct Light {
 
 Light light_of(bool patches, bool reuse) {
     constexpr std::size_t pictures = 16;
-    const scene::Scene scene = room_with_spot();
+    // So wide that surfaces and lamps both find it often, which their weights are to be right for.
+    constexpr float wide = 1.8F;
+    const scene::Scene scene = room_with_spot(wide);
     std::array<double, 4> squares{};
     Light light;
     for (std::uint32_t seed = 0; seed < pictures; ++seed) {
