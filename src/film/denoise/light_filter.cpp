@@ -127,13 +127,14 @@ Detail detail_of(const Halves& candidate, const Halves& smoother, const Halves& 
 
 // The smoothest of the candidates, which are from noisy to smooth, and parts of the details of the
 // others, within the range of all. What the part leaves out is noise; a detail whose square is far
-// beyond that of the noise nearby is kept.
+// beyond that of the noise nearby is kept. A small part may be there by chance and is left out.
 Halves blended(const Candidates& candidates, const Plane& part, const Plane& weight,
                const SurfaceFilter& filter) {
     constexpr std::size_t farthest = 8;
     constexpr std::size_t smoothest = std::tuple_size_v<Candidates> - 1;
     const Canvas& canvas = filter.canvas();
     constexpr float far_beyond = 8.0F;
+    constexpr float by_chance = 0.4F;  // Noise that both halves have in common.
     Stack agreements;
     Stack squares;
     agreements[smoothest].resize(canvas.size());
@@ -156,7 +157,8 @@ Halves blended(const Candidates& candidates, const Plane& part, const Plane& wei
             const float usual = agreements[k][i] / (squares[k][i] + 1e-20F);
             const float noise_square = (1.0F - usual) * squares[k][i];
             const float distinct = 1.0F - far_beyond * noise_square / (own_squares[k][i] + 1e-20F);
-            factors[k] = std::clamp(std::max(usual, distinct), 0.0F, 1.0F);
+            const float sure = (std::max(usual, distinct) - by_chance) / (1.0F - by_chance);
+            factors[k] = std::clamp(sure, 0.0F, 1.0F);
         }
         for (std::size_t plane = 0; plane < made.size(); ++plane) {
             float low = made[plane][i];
