@@ -20,7 +20,7 @@ REPOSITORY = Path(__file__).resolve().parent.parent
 def rows_of_notice():
     """Package and licence of each row; those of tests are not part of any program."""
     for line in (REPOSITORY / "NOTICE").read_text().splitlines():
-        row = re.fullmatch(r"  \S.*?  +(lib\S+|nlohmann\S+) +([A-Z]\S+?)(, parts (\S+))?( .*)?", line)
+        row = re.fullmatch(r"  \S.*?  +(lib\S+|nlohmann\S+) +([A-Za-z]\S+?)(, parts (\S+))?( .*)?", line)
         if row and "(tests only)" not in line:
             yield row[1], f"{row[2]} AND {row[4]}" if row[4] else row[2]
 

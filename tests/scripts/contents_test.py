@@ -29,7 +29,7 @@ class Contents(unittest.TestCase):
         notice = (REPOSITORY / "NOTICE").read_text()
         for name in set(re.findall(r" (lib[a-z0-9-]+-dev|nlohmann\S+) ", notice)) - {"libgtest-dev"}:
             self.assertRegex(self.packages[name]["licenseDeclared"],
-                             r"^[A-Z][A-Za-z0-9.-]+( AND [A-Z][A-Za-z0-9.-]+)?$")
+                             r"^[A-Za-z][A-Za-z0-9.-]+( AND [A-Z][A-Za-z0-9.-]+)?$")
         self.assertEqual(self.packages["libopenimageio-dev"]["licenseDeclared"],
                          "BSD-3-Clause AND Apache-2.0")
         self.assertEqual(self.packages["libfmt-dev"]["licenseDeclared"], "MIT")
