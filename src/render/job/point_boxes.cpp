@@ -14,9 +14,10 @@ namespace {
 using Imath::V3f;
 
 // Points divide by their positions and, so that surfaces of different sides part, their normals.
-constexpr int axes = 6;
-float coordinate(const BrightPoint& point, int axis) {
-    return axis < 3 ? point.position[axis] : point.normal[axis - 3];
+constexpr std::size_t axes = 6;
+float coordinate(const BrightPoint& point, std::size_t axis) {
+    const auto direction = static_cast<int>(axis % 3);
+    return axis < 3 ? point.position[direction] : point.normal[direction];
 }
 
 // A box that may be divided.
@@ -25,7 +26,7 @@ public:
     explicit Group(std::vector<BrightPoint> points) : made_{std::move(points), V3f(0), V3f(0)} {
         std::array<float, axes> low{};
         std::array<float, axes> sides{};
-        for (int axis = 0; axis < axes; ++axis) {
+        for (std::size_t axis = 0; axis < axes; ++axis) {
             const auto [least, largest] =
                 std::minmax_element(made_.points.begin(), made_.points.end(),
                                     [axis](const BrightPoint& a, const BrightPoint& b) {
@@ -37,11 +38,11 @@ public:
         made_.low = {low[0], low[1], low[2]};
         const V3f extent(sides[0], sides[1], sides[2]);
         made_.high = made_.low + extent;
-        for (int axis = 3; axis < axes; ++axis) {
+        for (std::size_t axis = 3; axis < axes; ++axis) {
             sides[axis] *= 0.5F * extent.length();
         }
         const auto longest = std::max_element(sides.begin(), sides.end());
-        axis_ = static_cast<int>(longest - sides.begin());
+        axis_ = static_cast<std::size_t>(longest - sides.begin());
         side_ = *longest;
     }
 
@@ -69,7 +70,7 @@ public:
 
 private:
     PointBox made_;
-    int axis_ = 0;
+    std::size_t axis_ = 0;
     float side_ = 0.0F;
 };
 
