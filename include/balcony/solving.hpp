@@ -107,14 +107,28 @@ struct SolveReport {
     std::string camera;  ///< Its name.
     std::size_t width = 0;
     std::size_t height = 0;
-    std::vector<SolvedParameter> parameters;
-    std::vector<Correlation> correlations;  ///< The strong ones.
+    std::vector<SolvedParameter> parameters{};
+    std::vector<Correlation> correlations{};  ///< The strong ones.
     /// As it was solved: of marks in the axes of the camera.
-    solve::Problem problem;
-    std::vector<std::string> labels;  ///< As Marks::labels.
-    solve::Solution solution;
-    std::string text;  ///< The new camera file.
+    solve::Problem problem{};
+    std::vector<std::string> labels{};  ///< As Marks::labels.
+    solve::Solution solution{};
+    std::string text{};  ///< The new camera file.
 };
+
+/// The root mean square of what marks miss their positions by, in pixels; nothing without
+/// positions.
+[[nodiscard]] std::optional<double> position_error(const SolveReport& report);
+
+/// The expected uncertainty of projections over the picture, in pixels.
+struct Uncertainty {
+    double least = 0.0, median = 0.0, most = 0.0;
+};
+/// Nothing if it is known at no place.
+[[nodiscard]] std::optional<Uncertainty> uncertainty(const SolveReport& report);
+
+/// The numbers of all constraints, those first that are missed by the most deviations.
+[[nodiscard]] std::vector<std::size_t> worst_constraints(const SolveReport& report);
 
 /// Where the marks are demanded and where the picture shows them, with what the constraints miss
 /// several times as large as it is, over a tint that says how uncertain projections are.

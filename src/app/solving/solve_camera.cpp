@@ -60,19 +60,14 @@ void add_correlations(SolveReport& report) {
 Diagnostics warn_of_misses(const SolveReport& report) {
     constexpr double far = 5.0;  // Deviations.
     constexpr std::size_t most = 5;
-    std::vector<std::size_t> rows;
-    for (std::size_t i = 0; i < report.problem.constraints.size(); ++i) {
-        if (!report.problem.constraints[i].tolerance &&
-            report.solution.misses[i].deviations > far) {
-            rows.push_back(i);
-        }
-    }
-    std::stable_sort(rows.begin(), rows.end(), [&](std::size_t a, std::size_t b) {
-        return report.solution.misses[a].deviations > report.solution.misses[b].deviations;
-    });
-    rows.resize(std::min(rows.size(), most));
     Diagnostics found;
-    for (const std::size_t i : rows) {
+    for (const std::size_t i : worst_constraints(report)) {
+        if (report.solution.misses[i].deviations <= far || found.size() == most) {
+            break;
+        }
+        if (report.problem.constraints[i].tolerance) {
+            continue;
+        }
         found.push_back(warning(
             fmt::format("'{}' is missed by {:.3g} standard deviations: the constraints contradict "
                         "each other, or the camera cannot fulfil them",
@@ -129,6 +124,20 @@ Diagnostics check_outputs(const SolveRequest& request) {
     }
     Diagnostics found = OutputFile::check(request.output);
     add(found, check_drawing_of(request));
+    return found;
+}
+
+// No output may be one of these files, or another input.
+Diagnostics check_no_input(const SolveRequest& request, std::vector<fs::path> files) {
+    files.push_back(request.marks);
+    files.push_back(request.over);
+    Diagnostics found;
+    for (const auto& [output, option] :
+         {std::pair(request.output, "--output"), std::pair(request.drawing, "--drawing")}) {
+        if (!output.empty()) {
+            add(found, check_overwrites(output, files, option));
+        }
+    }
     return found;
 }
 
@@ -195,25 +204,19 @@ Result<SolveReport> solve_camera(const SolveRequest& request, const std::stop_to
     }
     std::vector<fs::path> files = workspace.files();
     add(found, warn_of_other_folder(asked->file, request.output, files));
-    files.push_back(request.marks);
-    files.push_back(request.over);
     files.push_back(scene);
-    for (const auto& [output, option] :
-         {std::pair(request.output, "--output"), std::pair(request.drawing, "--drawing")}) {
-        if (!output.empty() && add(found, check_overwrites(output, files, option))) {
-            return found;
-        }
+    if (add(found, check_no_input(request, std::move(files)))) {
+        return found;
     }
     Result<solve::Problem> problem = problem_of(*marks, *wanted, camera->camera.parts().axes);
     if (add(found, problem.diagnostics)) {
         return found;
     }
-    SolveReport report;
-    report.camera = camera->camera.name();
-    report.width = marks->width;
-    report.height = marks->height;
-    report.problem = std::move(*problem);
-    report.labels = marks->labels;
+    SolveReport report{.camera = camera->camera.name(),
+                       .width = marks->width,
+                       .height = marks->height,
+                       .problem = std::move(*problem),
+                       .labels = marks->labels};
     solve::Options options;
     options.starts = request.starts;
     options.errors.emplace();

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
+#include <numeric>
 #include <vector>
 
 #include <fmt/format.h>
@@ -61,16 +61,12 @@ std::string miss_text(const solve::Miss& miss) {
 std::string constraints_text(const app::SolveReport& report) {
     constexpr std::size_t most = 40;
     const std::size_t count = report.labels.size();
-    // The worst of many.
     std::vector<std::size_t> rows(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        rows[i] = i;
-    }
     if (count > most) {
-        std::stable_sort(rows.begin(), rows.end(), [&](std::size_t a, std::size_t b) {
-            return report.solution.misses[a].deviations > report.solution.misses[b].deviations;
-        });
+        rows = app::worst_constraints(report);
         rows.resize(most / 4);
+    } else {
+        std::iota(rows.begin(), rows.end(), std::size_t{0});
     }
     std::size_t longest = 10;
     for (const std::size_t i : rows) {
@@ -89,38 +85,6 @@ std::string constraints_text(const app::SolveReport& report) {
     return text;
 }
 
-// Root mean square of what marks miss their positions by, in pixels; nothing without positions.
-std::optional<double> position_error(const app::SolveReport& report) {
-    double squares = 0.0;
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < report.problem.constraints.size(); ++i) {
-        if (report.problem.constraints[i].kind == solve::ConstraintKind::at) {
-            const auto& by = report.solution.misses[i].by;
-            squares += by[0] * by[0] + by[1] * by[1];
-            ++count;
-        }
-    }
-    return count > 0 ? std::optional(std::sqrt(squares / static_cast<double>(count)))
-                     : std::nullopt;
-}
-
-struct ErrorSummary {
-    double least = 0.0, median = 0.0, most = 0.0;
-};
-std::optional<ErrorSummary> summary_of(const std::vector<std::optional<double>>& errors) {
-    std::vector<double> known;
-    for (const auto& one : errors) {
-        if (one) {
-            known.push_back(*one);
-        }
-    }
-    if (known.empty()) {
-        return std::nullopt;
-    }
-    std::sort(known.begin(), known.end());
-    return ErrorSummary{known.front(), known[known.size() / 2], known.back()};
-}
-
 json pose_json(const solve::Pose& pose) {
     return {{"rotation", {pose.rotation.x, pose.rotation.y, pose.rotation.z}},
             {"translation", {pose.translation.x, pose.translation.y, pose.translation.z}}};
@@ -134,11 +98,11 @@ std::string to_text(const app::SolveReport& report) {
                     report.height, report.solution.converged ? "solved" : "not solved",
                     counted(report.solution.iterations, "iteration"));
     text += parameters_text(report) + "\n" + constraints_text(report) + "\n";
-    if (const auto error = position_error(report)) {
+    if (const auto error = app::position_error(report)) {
         text +=
             fmt::format("marks miss their positions by {:.4g} pixels (root mean square)\n", *error);
     }
-    if (const auto errors = summary_of(report.solution.errors); errors && errors->most > 0.0) {
+    if (const auto errors = app::uncertainty(report); errors && errors->most > 0.0) {
         text += fmt::format(
             "expected uncertainty of projections: {:.3g} to {:.3g} pixels, median {:.3g}\n",
             errors->least, errors->most, errors->median);
@@ -185,7 +149,7 @@ json to_json(const app::SolveReport& report) {
                                   miss.by.begin() + static_cast<std::ptrdiff_t>(miss.count))},
              {"deviations", miss.deviations}});
     }
-    const auto errors = summary_of(solution.errors);
+    const auto errors = app::uncertainty(report);
     document["uncertainty"] = errors ? json{{"least", finite(errors->least)},
                                             {"median", finite(errors->median)},
                                             {"most", finite(errors->most)}}
