@@ -12,7 +12,6 @@
 
 #include <gtest/gtest.h>
 
-#include "film/sums/tile_image.hpp"
 #include "render/sampling/pixel_groups.hpp"
 #include "support.hpp"
 
@@ -253,28 +252,6 @@ TEST(PixelGroups, SpreadOverABlockAndChangeFromPassToPass) {
     EXPECT_EQ(patterns.size(), 8U);
 }
 
-TEST(PixelGroups, OfNeighboursAreMovedFromPassToPass) {
-    const Region region{64, 32, 64, 32};
-    std::set<std::vector<std::uint32_t>> patterns;
-    for (std::size_t pass = 0; pass < 4; ++pass) {
-        const PixelGroups groups(region, pass);
-        std::map<std::uint32_t, std::array<std::set<std::size_t>, 2>> places;
-        std::vector<std::uint32_t> pattern;
-        for_each_pixel(region, [&](std::size_t, std::size_t x, std::size_t y) {
-            pattern.push_back(groups.near(x, y));
-            places[pattern.back()][0].insert(x);
-            places[pattern.back()][1].insert(y);
-        });
-        EXPECT_EQ(places.size(), region.size() / PixelGroups::size);
-        for (const auto& [group, at] : places) {
-            EXPECT_EQ(std::min(at[0].size(), at[1].size()), 2U) << group;
-            EXPECT_EQ(std::max(at[0].size(), at[1].size()), 4U) << group;
-        }
-        patterns.insert(pattern);
-    }
-    EXPECT_EQ(patterns.size(), 4U);
-}
-
 // A part of the picture has the groups of the whole, apart from its borders.
 TEST(PixelGroups, AreThoseOfThePicture) {
     const PixelGroups whole({0, 0, 64, 32}, 3);
@@ -283,8 +260,6 @@ TEST(PixelGroups, AreThoseOfThePicture) {
         for (std::size_t x = 16; x < 44; ++x) {
             for (std::size_t other = 16; other < 44; ++other) {
                 EXPECT_EQ(whole.of(x, y) == whole.of(other, y), part.of(x, y) == part.of(other, y));
-                EXPECT_EQ(whole.near(x, y) == whole.near(other, y),
-                          part.near(x, y) == part.near(other, y));
             }
         }
     }

@@ -168,8 +168,7 @@ void TileTracer::request(const TilePoints& points, const TileRays& rays, const S
         const DifferentialRay ray{V3f(rays.all.origin(i)), V3f(rays.all.direction(i)),
                                   differentials_.of(lane), packet.time[lane]};
         indices_.push_back(i);
-        const std::uint32_t group = points.near_groups ? groups.near(x, y) : groups.of(x, y);
-        requested_.push_back({ray, packet.hit(lane), sampler, number, group,
+        requested_.push_back({ray, packet.hit(lane), sampler, number, groups.of(x, y),
                               std::min(clamp_, levels_->limit(rays.layer, x, y, points.pass))});
     });
 }

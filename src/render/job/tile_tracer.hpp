@@ -23,8 +23,6 @@ struct TilePoints {
     PassNumbers numbers;
     rays::Tile grid;
     const std::vector<std::uint8_t>* active = nullptr;  ///< Points to sample; all if null.
-    /// Paths are shared by neighbours, instead of pixels that are spread over a block.
-    bool near_groups = false;
 
     [[nodiscard]] std::size_t size() const { return region.size(); }
     [[nodiscard]] bool is_active(std::size_t i) const {

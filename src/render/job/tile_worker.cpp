@@ -117,7 +117,7 @@ bool TileWorker::render(std::size_t tile) {
 }
 
 TileImage& TileWorker::sample(const Region& region, std::size_t number, const Mask* active,
-                              const Region& counted, bool near_groups) {
+                              const Region& counted) {
     const Pass& pass = this->pass(number);
     const Compositor::Wanted wanted{.data = number == 0 && film_->layers.has_value(),
                                     .display = !film_->display.empty(),
@@ -127,7 +127,7 @@ TileImage& TileWorker::sample(const Region& region, std::size_t number, const Ma
         {region, number, pass.numbers,
          pass_grid(region, pass.offset, film_->width, film_->height,
                    settings_->shutter.moment(settings_->time, pass_moment(number))),
-         active, near_groups},
+         active},
         counted, wanted);
 }
 
@@ -145,7 +145,7 @@ TileImage& TileWorker::sample_more(const Region& region, std::size_t number, con
     std::array<TileImage, samples_of_pass> samples;
     for (std::size_t i = 0; i < samples.size(); ++i) {
         samples[i] = std::move(sample(part, samples_of_pass * number + i, &in_part,
-                                      i == 0 ? film_->window : Region{}, true));
+                                      i == 0 ? film_->window : Region{}));
     }
     set_means(mixed_, marked, samples);
     return mixed_;

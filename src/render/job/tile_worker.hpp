@@ -79,7 +79,7 @@ private:
     [[nodiscard]] const Pass& pass(std::size_t number);
     // A sample of the marked points of a region, or of all if there is no mask.
     [[nodiscard]] TileImage& sample(const Region& region, std::size_t number, const Mask* active,
-                                    const Region& counted, bool near_groups = false);
+                                    const Region& counted);
     // A sample of most points, and several of the marked ones, which are counted once.
     [[nodiscard]] TileImage& sample_more(const Region& region, std::size_t number,
                                          const Mask& marked);
