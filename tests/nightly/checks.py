@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The table of the nightly checks: a new one is a row."""
 
+import os
 from dataclasses import dataclass
 from typing import Callable
 
@@ -31,11 +32,14 @@ def plates(keep):
 # What renders, reads scenes, searches or writes in parallel.
 THREADED = r"^((analyse|app|bridge|images|render|scene)\.|cli\.(animate|check|checkpoint|warp|watch)$)"
 
+# Of each fuzzer: 60 for a thorough run, 5 for a look at all of them.
+FUZZ_MINUTES = float(os.environ.get("BALCONY_FUZZ_MINUTES", 20))
+
 CHECKS = (
     Check("asan", "all suites with AddressSanitizer and UndefinedBehaviorSanitizer", 720,
           suites("asan")),
     Check("tsan", "suites that start threads with ThreadSanitizer", 720, suites("tsan", THREADED)),
-    *(Check(f"fuzz.{target}", f"{what}, fuzzed", 90, fuzzer(target, 20)) for target, what in (
+    *(Check(f"fuzz.{target}", f"{what}, fuzzed", 90, fuzzer(target, FUZZ_MINUTES)) for target, what in (
         ("camera", "camera files to compiled rays"), ("calibration", "calibrations to rays"),
         ("formula", "formulas through the simplifier and all runners"),
         ("map", "maps, images, tables and points of camera files"),

@@ -21,6 +21,6 @@ def fuzzer(target, minutes):
         executed = keep("runs", runs)
         run("scripts/fuzz", "minimise", target)
         kept = len(list((REPOSITORY / "build/fuzz/corpus" / target / "found").iterdir()))
-        return f"{executed:,} runs, {kept:,} inputs kept"
+        return f"{executed:,} runs in {minutes:g} minutes, {kept:,} inputs kept"
 
     return check
