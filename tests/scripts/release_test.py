@@ -22,7 +22,8 @@ class Release(unittest.TestCase):
     def setUp(self):
         self.folder = Path(tempfile.mkdtemp(prefix="balcony-release-"))
         self.addCleanup(shutil.rmtree, self.folder)
-        for name in ("scripts/common.sh", "scripts/release", "CMakeLists.txt", "debian/changelog"):
+        for name in ("scripts/common.sh", "scripts/release", "CMakeLists.txt", "debian/changelog",
+                     "debian/control"):
             (self.folder / name).parent.mkdir(exist_ok=True)
             shutil.copy(REPOSITORY / name, self.folder / name)
         (self.folder / "scripts" / "package").write_text(PACKAGE)
@@ -47,7 +48,7 @@ class Release(unittest.TestCase):
     def release(self, version, code, says, package=0):
         environment = os.environ | {
             "PACKAGE": str(package), "GIT_AUTHOR_NAME": "a", "GIT_AUTHOR_EMAIL": "a@example.org",
-            "GIT_COMMITTER_NAME": "a", "GIT_COMMITTER_EMAIL": "a@example.org"}
+            "GIT_COMMITTER_NAME": "b & c|d", "GIT_COMMITTER_EMAIL": "b@example.org"}
         run = subprocess.run([self.folder / "scripts" / "release", version], env=environment,
                              capture_output=True, text=True, check=False)
         self.assertEqual(run.returncode, code, run.stderr)
@@ -67,6 +68,8 @@ class Release(unittest.TestCase):
         self.assertEqual((self.folder / "build/package/done").read_text(), "package \n" + "".join(steps))
         for name, text in (("CMakeLists.txt", "project(balcony VERSION 0.2.0 LANGUAGES"),
                            ("debian/changelog", "balcony (0.2.0) unstable; "),
+                           ("debian/changelog", "\n -- b & c|d <b@example.org>  "),
+                           ("debian/control", "\nMaintainer: b & c|d <b@example.org>\n"),
                            ("packaging/recipe", "version 0.2.0, not 0.1.01 or 001.0"),
                            ("README.md", "find_package(balcony 0.2 REQUIRED)"),
                            ("CHANGELOG.md", "## Unreleased\n\n## 0.2.0 (2")):
