@@ -302,6 +302,31 @@ TEST_F(Images, MorePixelsThanItsBytesCanHoldAreRefused) {
               "it declares 5000 x 5000 pixels, more than its 18 bytes can contain");
 }
 
+TEST_F(Images, AnAttributeLongerThanItsExrFileIsRefused) {
+    const auto attribute = [](const std::string& name, std::size_t claimed) {
+        return name + '\0' + "string" + '\0' + little_endian(claimed, 4) + "text";
+    };
+    const std::string end(1, '\0');
+    const std::string one_part = "\x76\x2f\x31\x01" + little_endian(2, 4);
+    const std::string several_parts = "\x76\x2f\x31\x01" + little_endian(0x1002, 4);
+    const std::string good = attribute("a", 4);
+    const std::string damaged = "it is truncated or corrupt";
+    for (const std::size_t claimed : {6UL, 0x7fffffffUL, 0xffffffffUL}) {
+        const std::string bad = attribute("b", claimed);
+        for (const std::string& bytes :
+             {one_part + good + bad + end, several_parts + good + end + good + bad + end + end,
+              one_part + std::string(1000, 'c'), one_part + good}) {
+            EXPECT_EQ(reason("a.exr", bytes), damaged) << claimed;
+        }
+    }
+    // What is left is OpenEXR's to judge: these have no pixels.
+    for (const std::string& bytes :
+         {one_part + good + end, several_parts + good + end + good + end + end}) {
+        EXPECT_NE(reason("a.exr", bytes), damaged);
+        EXPECT_NE(reason("a.exr", bytes), "opened");
+    }
+}
+
 TEST_F(Images, ACutOrDamagedPngIsRecognised) {
     const std::vector<std::uint8_t> whole = bytes_of(image("image.png"));
     const std::string damaged = "it is truncated or corrupt";

@@ -130,6 +130,40 @@ bool png_is_whole(IOProxy& file) {
     return false;
 }
 
+// Visits all attributes of all headers, because OpenEXR allocates what one claims before it reads
+// it.
+bool exr_attributes_fit(IOProxy& file) {
+    constexpr std::size_t flags_at = 4;
+    constexpr std::size_t first_header = 8;
+    constexpr std::size_t several_parts = 0x1000;
+    constexpr std::size_t longest_name = 255;
+    constexpr std::size_t length_size = 4;
+    const bool has_parts = (little_endian(bytes_at(file, flags_at, 4), 0, 4) & several_parts) != 0;
+    bool is_empty = true;
+    for (std::size_t at = first_header; at < file.size();) {
+        // Two names, each with a zero at its end, and the length of what follows.
+        const std::string head = bytes_at(file, at, 2 * (longest_name + 1) + length_size);
+        const std::size_t name_end = head.find('\0');
+        if (name_end == 0) {
+            // The end of a header; an empty one ends those of several parts.
+            if (!has_parts || is_empty) {
+                return true;
+            }
+            is_empty = true;
+            ++at;
+            continue;
+        }
+        const std::size_t kind_end =
+            name_end == head.npos ? head.npos : head.find('\0', name_end + 1);
+        if (kind_end == head.npos) {
+            return false;
+        }
+        is_empty = false;
+        at += kind_end + 1 + length_size + little_endian(head, kind_end + 1, length_size);
+    }
+    return false;
+}
+
 // Visits all markers up to the start of a frame.
 Size jpeg_size(IOProxy& file) {
     for (std::size_t at = 2; at + 4 <= file.size();) {
@@ -188,7 +222,7 @@ constexpr std::array<ImageFormat, 8> formats{{
     {"webp", 0, is_webp, webp_size, nullptr},
     {"tiff", 0, begins_with<tiff_little, tiff_big, big_tiff_little, big_tiff_big>, nullptr,
      nullptr},
-    {"openexr", 0, begins_with<exr_signature>, nullptr, nullptr},
+    {"openexr", 0, begins_with<exr_signature>, nullptr, exr_attributes_fit},
     {"hdr", 0, begins_with<hdr_signature>, nullptr, nullptr},
     {"bmp", 0, begins_with<bmp_signature>, bmp_size, nullptr},
     {"targa", 128 / 2, is_tga, tga_size, nullptr},

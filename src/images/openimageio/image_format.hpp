@@ -25,8 +25,8 @@ struct ImageFormat {
     /// The size from the header, for formats whose reader allocates memory when it opens the file;
     /// {} for an invalid header. Null if opening is cheap for any header.
     std::optional<DeclaredSize> (*declared_size)(OIIO::Filesystem::IOProxy& bytes);
-    /// Whether the file is complete and undamaged. Null if the reader reports this without
-    /// printing.
+    /// Whether the file is complete and undamaged, as far as the reader does not report it without
+    /// printing and without allocating what a few bytes claim. Null if it does.
     bool (*is_whole)(OIIO::Filesystem::IOProxy& bytes);
 };
 
