@@ -86,7 +86,7 @@ std::vector<std::optional<double>> projection_errors(const CameraRays& rays, con
     const System whole(rays, problem, size, {});
     const std::vector<Pose> poses = whole.poses_of(unknowns);
     const Probes probes = probes_of(rays, problem, size, whole.inputs_of(unknowns), poses, grid);
-    System system(rays, probes.problem, size, probes.near);
+    const System system(rays, probes.problem, size, probes.near);
     const auto seen = system.seen(unknowns);
     std::vector<std::optional<double>> made(grid.columns * grid.rows);
     const std::size_t share = std::max<std::size_t>(poses.size(), 1);

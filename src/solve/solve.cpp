@@ -46,7 +46,7 @@ std::optional<V2d> found_from_grid(const CameraRays& rays, const Problem& proble
     for (int cell = 0; cell < cells * cells; ++cell) {
         const V2d at((cell % cells + 0.5) / cells * size.x, (cell / cells + 0.5) / cells * size.y);
         alone.marks.front().near.reset();
-        System system(rays, alone, size, {at});
+        const System system(rays, alone, size, {at});
         const auto seen = system.seen(system.start());
         if (seen.front() && seen.front()->reached && seen.front()->at.x >= 0.0 &&
             seen.front()->at.x <= size.x && seen.front()->at.y >= 0.0 &&
@@ -171,11 +171,17 @@ Problem started(Problem problem, std::size_t number) {
     return problem;
 }
 
-Solution solution_of(const Minimum& minimum, System& system, std::size_t inputs) {
+// Nothing if rounding takes a mark out of the picture there.
+std::optional<Solution> solution_of(const Minimum& minimum, const System& system,
+                                    std::size_t inputs) {
+    std::optional<std::vector<Miss>> misses = system.misses(minimum.unknowns);
+    if (!misses) {
+        return std::nullopt;
+    }
     Solution made;
+    made.misses = std::move(*misses);
     made.values = system.inputs_of(minimum.unknowns);
     made.poses = system.poses_of(minimum.unknowns);
-    made.misses = system.misses(minimum.unknowns).value_or(std::vector<Miss>{});
     for (const auto& seen : system.seen(minimum.unknowns)) {
         made.seen.push_back(seen && seen->reached ? std::optional(seen->at) : std::nullopt);
     }
@@ -256,8 +262,11 @@ Result<Solution> solve(const CameraMaker& make, double width, double height, con
         if (minimum && minimum->stopped) {
             return stopped();
         }
-        if (minimum && (!best || minimum->residuals.values.squaredNorm() < best->cost)) {
-            best = solution_of(*minimum, system, problem.unknowns.size());
+        if (!minimum || (best && !(minimum->residuals.values.squaredNorm() < best->cost))) {
+            continue;
+        }
+        if (auto made = solution_of(*minimum, system, problem.unknowns.size())) {
+            best = std::move(*made);
             equations = static_cast<std::size_t>(minimum->residuals.values.size());
             if (options.errors) {
                 best->errors = projection_errors(*rays, *trial, size, minimum->unknowns,

@@ -42,8 +42,8 @@ System::System(const CameraRays& rays, const Problem& problem, const V2d& size,
     : rays_(rays),
       problem_(problem),
       size_(size),
-      near_(std::move(near)),
-      count_(problem.unknowns.size() + pose_size * problem.targets.size()) {}
+      count_(problem.unknowns.size() + pose_size * problem.targets.size()),
+      near_(std::move(near)) {}
 
 Eigen::VectorXd System::start() const {
     Eigen::VectorXd made(static_cast<Index>(count_));
@@ -142,16 +142,14 @@ void System::follow(const std::vector<double>& inputs, std::span<const Pose> pos
     }
 }
 
-std::vector<std::optional<SeenMark>> System::seen(const Eigen::VectorXd& unknowns) {
+std::vector<std::optional<SeenMark>> System::seen(const Eigen::VectorXd& unknowns) const {
     const std::vector<double> inputs = inputs_of(unknowns);
     const std::vector<Pose> poses = poses_of(unknowns);
     std::vector<V2d> at = near_;
     std::vector<bool> reached;
     follow(inputs, poses, at, reached);
     for (std::size_t i = 0; i < at.size(); ++i) {
-        if (reached[i]) {
-            near_[i] = at[i];
-        } else {
+        if (!reached[i]) {
             at[i] = problem_.marks[i].near.value_or(near_[i]);
         }
     }
@@ -186,8 +184,8 @@ std::vector<std::optional<SeenMark>> System::seen(const Eigen::VectorXd& unknown
     return made;
 }
 
-std::optional<std::vector<System::Row>> System::rows(const Eigen::VectorXd& unknowns) {
-    const std::vector<std::optional<SeenMark>> marks = seen(unknowns);
+std::optional<std::vector<System::Row>> System::rows(
+    const Eigen::VectorXd& unknowns, const std::vector<std::optional<SeenMark>>& marks) const {
     const std::vector<ShapeValues> shapes = rays_.shapes(inputs_of(unknowns));
     std::vector<Row> made;
     std::size_t next_shape = 0;
@@ -241,7 +239,8 @@ std::optional<std::vector<System::Row>> System::rows(const Eigen::VectorXd& unkn
 }
 
 std::optional<Residuals> System::residuals(const Eigen::VectorXd& unknowns) {
-    std::optional<std::vector<Row>> rows = this->rows(unknowns);
+    const std::vector<std::optional<SeenMark>> marks = seen(unknowns);
+    std::optional<std::vector<Row>> rows = this->rows(unknowns, marks);
     if (!rows) {
         return std::nullopt;
     }
@@ -283,11 +282,17 @@ std::optional<Residuals> System::residuals(const Eigen::VectorXd& unknowns) {
             made.by_unknown(next++, k) = 1.0 / *deviation;
         }
     }
+    if (const double squares = made.values.squaredNorm(); squares < least_squares_) {
+        least_squares_ = squares;
+        for (std::size_t i = 0; i < marks.size(); ++i) {
+            near_[i] = marks[i] && marks[i]->reached ? marks[i]->at : near_[i];
+        }
+    }
     return made;
 }
 
-std::optional<std::vector<Miss>> System::misses(const Eigen::VectorXd& unknowns) {
-    const std::optional<std::vector<Row>> rows = this->rows(unknowns);
+std::optional<std::vector<Miss>> System::misses(const Eigen::VectorXd& unknowns) const {
+    const std::optional<std::vector<Row>> rows = this->rows(unknowns, seen(unknowns));
     if (!rows) {
         return std::nullopt;
     }

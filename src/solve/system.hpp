@@ -4,6 +4,7 @@
 
 // The constraints of a problem as residuals of its unknowns.
 
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -36,13 +37,14 @@ public:
     /// Nothing if a mark that has no position of its own is not seen, or a shape has no value.
     [[nodiscard]] std::optional<Residuals> residuals(const Eigen::VectorXd& unknowns);
     /// Where the marks appear.
-    [[nodiscard]] std::vector<std::optional<SeenMark>> seen(const Eigen::VectorXd& unknowns);
+    [[nodiscard]] std::vector<std::optional<SeenMark>> seen(const Eigen::VectorXd& unknowns) const;
     /// What each constraint misses.
-    [[nodiscard]] std::optional<std::vector<Miss>> misses(const Eigen::VectorXd& unknowns);
+    [[nodiscard]] std::optional<std::vector<Miss>> misses(const Eigen::VectorXd& unknowns) const;
 
 private:
     struct Row;
-    [[nodiscard]] std::optional<std::vector<Row>> rows(const Eigen::VectorXd& unknowns);
+    [[nodiscard]] std::optional<std::vector<Row>> rows(
+        const Eigen::VectorXd& unknowns, const std::vector<std::optional<SeenMark>>& marks) const;
     [[nodiscard]] V3d place_of(const Mark& mark, std::span<const Pose> poses) const;
     void follow(const std::vector<double>& inputs, std::span<const Pose> poses,
                 std::vector<V2d>& at, std::vector<bool>& reached) const;
@@ -50,8 +52,11 @@ private:
     const CameraRays& rays_;
     const Problem& problem_;
     V2d size_;
-    std::vector<V2d> near_;  ///< Where the marks were seen last.
-    std::size_t count_;      ///< Of unknowns.
+    std::size_t count_;  ///< Of unknowns.
+    /// Where the marks were seen with the least sum of squares of residuals yet, from which the
+    /// search for them goes on: one that is refused may have them where the next has no ray.
+    std::vector<V2d> near_;
+    double least_squares_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace balcony::solve

@@ -99,6 +99,21 @@ TEST(Solve, TwoThingsAreAsLargeAsDemanded) {
     EXPECT_NEAR(std::tan(solution.values[0] / 2), 1.28, 1e-9);
 }
 
+TEST(Solve, AStepThatGoesTooFarLosesNoMark) {
+    // The first step leads to 15 degrees. There the marks are 2,600 pixels from the middle, where
+    // wider cameras, which the next steps lead to, have no rays.
+    const lang::OpenCamera camera = open("fisheye", "", {"fov"});
+    Problem problem = problem_of(camera);
+    problem.unknowns[0].value = 150 * degree;
+    problem.unknowns[0].range.minimum = 15 * degree;
+    const auto direction = [](double angle) { return V3d(std::cos(angle), std::sin(angle), 0.0); };
+    problem.marks = {{direction(40 * degree), true}, {direction(60 * degree), true}};
+    problem.constraints = {{ConstraintKind::length, {0, 1}, V2d(0.0), width / 2}};
+    const Solution solution = solved(camera, problem);
+    ASSERT_EQ(solution.misses.size(), 1U);
+    EXPECT_LT(solution.misses.front().deviations, 1e-6);
+}
+
 TEST(Solve, MagnificationIsAsDemanded) {
     const lang::OpenCamera camera = aimed_camera({"fov"});
     Problem problem = problem_of(camera);
