@@ -15,6 +15,8 @@ import support
 PASSES = 1500
 SLOW = ("render", "scene.obj", "-c", "my.cam:above", "--size", "200x150", "-s", str(PASSES),
         "--integrator", "preview", "-q")
+# scripts/nightly kills 500 times.
+KILLS = 8
 OFTEN = ("--checkpoint-every", "0.05s")
 
 
@@ -54,7 +56,7 @@ class Checkpoint(ResumedTest):
         for ending in ("png", "exr"):
             whole = self.whole(*SLOW, ending=ending)
             kills = 0
-            while kills < 20:
+            while kills < KILLS:
                 process = self.start(*SLOW, *OFTEN, "--resume", "-o", f"p.{ending}")
                 time.sleep(dice.uniform(0.02, 0.4))
                 if process.poll() is not None:
@@ -333,7 +335,7 @@ class Bands(ResumedTest):
     def test_killed_at_random_times_it_gives_the_same_file(self):
         dice = random.Random(2)
         kills = 0
-        while kills < 20:
+        while kills < KILLS:
             process = self.start(*self.LONG, "--resume", "-o", "p.exr")
             time.sleep(dice.uniform(0.05, 0.5))
             if process.poll() is not None:

@@ -89,7 +89,7 @@ class Interruption(support.CommandTest):
         ):
             for how in ([], ["--json"]):
                 process = self.start(*words, *how)
-                self.wait_for_work(process, 2.0)
+                self.wait_for_work(process, 0.7)
                 process.send_signal(signal.SIGINT)
                 seconds, out, err = self.end(process)
                 self.assertEqual(process.returncode, 130, words)
