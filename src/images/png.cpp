@@ -5,12 +5,14 @@
 
 #include "images/png.hpp"
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <csetjmp>
+#include <cstring>
+#include <exception>
 #include <limits>
-#include <new>
-#include <string>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <png.h>
@@ -22,21 +24,27 @@ namespace {
 // What libpng's callbacks write to. No exception may pass through libpng.
 struct Output {
     std::vector<std::uint8_t> bytes;
-    std::string failure;
+    std::array<char, 128> failure{};
 };
 
 void append(png_structp png, png_bytep bytes, std::size_t count) {
     auto& output = *static_cast<Output*>(png_get_io_ptr(png));
+    bool fits = true;
     try {
         output.bytes.insert(output.bytes.end(), bytes, bytes + count);
-    } catch (const std::bad_alloc&) {
+    } catch (const std::exception&) {
+        fits = false;
+    }
+    // After the handler: a jump out of it leaves its exception behind.
+    if (!fits) {
         png_error(png, "there is not enough memory");
     }
 }
 
 // libpng leaves by it: with a jump to where write() began.
 [[noreturn]] void fail(png_structp png, png_const_charp why) {
-    static_cast<Output*>(png_get_error_ptr(png))->failure = why;
+    auto& failure = static_cast<Output*>(png_get_error_ptr(png))->failure;
+    std::strncpy(failure.data(), why, failure.size() - 1);
     png_longjmp(png, 1);
 }
 
@@ -98,9 +106,10 @@ Result<std::vector<std::uint8_t>> encode_png(const Raster& raster) {
     }
     png_destroy_write_struct(&png, &info);
     if (!written) {
-        return error(Kind::environment, fmt::format("the picture cannot be encoded as png: {}",
-                                                    output.failure.empty() ? "libpng does not start"
-                                                                           : output.failure));
+        const std::string_view failure = output.failure.data();
+        return error(Kind::environment,
+                     fmt::format("the picture cannot be encoded as png: {}",
+                                 failure.empty() ? "libpng does not start" : failure));
     }
     return std::move(output.bytes);
 }

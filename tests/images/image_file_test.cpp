@@ -5,14 +5,18 @@
 
 #include "balcony/images.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <random>
 
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 namespace balcony::images::testing::image_file_test {
 
@@ -301,6 +305,31 @@ TEST_F(Images, MorePixelsThanItsBytesCanHoldAreRefused) {
     EXPECT_EQ(reason("a.tga", tga(5000, 5000)),
               "it declares 5000 x 5000 pixels, more than its 18 bytes can contain");
 }
+
+// Sanitizers take address space of their own. Of this name, it runs before the others, which leave
+// memory that is free.
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+TEST(EncodingDeathTest, SaysThatMemoryIsMissing) {
+    std::mt19937 random(1);
+    std::vector<std::uint8_t> noise(std::size_t{2000} * 2000 * 3);
+    std::generate(noise.begin(), noise.end(), [&] { return static_cast<std::uint8_t>(random()); });
+    const Raster raster{2000, 2000, 3, noise};
+    const auto encode_in_little_memory = [&] {
+        std::size_t pages = 0;
+        std::ifstream("/proc/self/statm") >> pages;
+        // The file has 12 MB, for which memory is taken in steps that double.
+        const rlim_t most = pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE)) + 20'000'000;
+        const rlimit limit{most, most};
+        const bool is_limited = ::setrlimit(RLIMIT_AS, &limit) == 0;
+        const auto made = encode(raster, "png");
+        const bool is_said =
+            !made && made.diagnostics.front().message ==
+                         "the picture cannot be encoded as png: there is not enough memory";
+        std::_Exit(is_limited && is_said ? 0 : 1);
+    };
+    EXPECT_EXIT(encode_in_little_memory(), ::testing::ExitedWithCode(0), "");
+}
+#endif
 
 TEST_F(Images, AnAttributeLongerThanItsExrFileIsRefused) {
     const auto attribute = [](const std::string& name, std::size_t claimed) {
