@@ -113,7 +113,9 @@ struct Calibration {
     std::string model{};  ///< Without a name, any model that has the numbers' parameters.
     std::vector<Number> numbers{};
     std::vector<double> distortion{};  ///< OpenCV's coefficients, in the order of the model.
-    std::string origin{};              ///< The choice of the parameter of that name.
+    /// The control points of splines, (x, y) by (x, y).
+    std::vector<std::array<double, 2>> points{};
+    std::string origin{};  ///< The choice of the parameter of that name.
     std::optional<CameraPose> pose{};
 };
 

@@ -38,7 +38,9 @@ PointList some_points(const PointsParameter& type) {
     PointList points{type.coordinates.front(), {}};
     for (std::size_t i = 0; i < type.min_points; ++i) {
         for (std::size_t k = 0; k < points.coordinates; ++k) {
-            const double place = static_cast<double>(k == 0 ? i % 4 : k == 1 ? i / 4 : 0);
+            const double place = k == 0   ? static_cast<double>(i % 4) - 1.5
+                                 : k == 1 ? static_cast<double>(i / 4) - 1.5
+                                          : 0.0;
             points.values.push_back(place + 0.1 * std::sin(static_cast<double>(7 * i + 3 * k)));
         }
     }
@@ -120,7 +122,7 @@ struct SomeValue {
         return numbers({type.default_value.value_or(0.7)});
     }
     Arguments::Value operator()(const CountParameter& type) const {
-        return numbers({type.default_value.value_or(2.0)});
+        return numbers({type.default_value.value_or(std::max(2.0, type.range.minimum))});
     }
     Arguments::Value operator()(const PairParameter& type) const {
         const std::array<double, 2> value = type.default_value.value_or(std::array{0.6, 0.4});

@@ -1,8 +1,8 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Calibrations in OpenCV's YAML and COLMAP's cameras.txt: what is read, and what is said of what
-// cannot be.
+// Calibrations in OpenCV's YAML, COLMAP's cameras.txt and mrcal's .cameramodel: what is read, and
+// what is said of what cannot be.
 
 #include <gtest/gtest.h>
 
@@ -274,18 +274,65 @@ TEST(ColmapCameras, NameTheEntryThatIsWrong) {
 }
 
 // Nothing but a diagnostic comes of any damage to a file.
+std::string mrcal_file(const std::string& lens, const std::string& intrinsics) {
+    return fmt::format(
+        "# made by hand\n{{\n    'lensmodel':  '{}',\n\n    # all\n    'intrinsics': [ {},],\n"
+        "    'extrinsics': [ 0, 0, 0, 1, 2, 3,],\n    'imagersize': [ 640, 480,],\n"
+        "    'icam_intrinsics': 0,\n    'optimization_inputs': b'a: {{[\\'x, ]',\n}}\n",
+        lens, intrinsics);
+}
+
+TEST(MrcalModel, IsReadWithoutWhatItWasMadeFrom) {
+    EXPECT_EQ(shown(mrcal_file("LENSMODEL_OPENCV4", "500, 501, 320, 240, -0.1, 0.2, 1e-3, 2e-3")),
+              "opencv_pinhole: width 640 height 480 fx 500 fy 501 cx 320 cy 240 d -0.1 0.2 0.001 "
+              "0.002");
+    EXPECT_EQ(shown(mrcal_file("LENSMODEL_PINHOLE", "500, 501, 320, 240")),
+              "opencv_pinhole: width 640 height 480 fx 500 fy 501 cx 320 cy 240");
+    std::string grid = "500, 501, 320, 240";
+    for (int i = 0; i < 2 * 5 * 4; ++i) {
+        grid += fmt::format(", {}", 0.01 * i);
+    }
+    const auto file =
+        read(mrcal_file("LENSMODEL_SPLINED_STEREOGRAPHIC_order=3_Nx=5_Ny=4_fov_x_deg=90", grid));
+    ASSERT_TRUE(file) << to_text(file.diagnostics);
+    const Calibration& made = (*file)->cameras.front();
+    EXPECT_EQ(made.model, "splined_stereographic");
+    ASSERT_EQ(made.points.size(), 20U);
+    EXPECT_EQ(made.points[1], (std::array{0.02, 0.03}));
+    EXPECT_EQ(made.origin, "pixel_center");
+    EXPECT_EQ(made.pose->translation, (std::array{1.0, 2.0, 3.0}));
+}
+
+TEST(MrcalModel, NamesTheEntryThatIsWrong) {
+    EXPECT_EQ(problem(mrcal_file("LENSMODEL_CAHVOR", "1, 1, 1, 1")),
+              "3: the lens model 'LENSMODEL_CAHVOR' is not read");
+    EXPECT_EQ(problem(mrcal_file("LENSMODEL_OPENCV7", "1, 1, 1, 1")),
+              "3: the lens model 'LENSMODEL_OPENCV7' is not read");
+    EXPECT_EQ(problem(mrcal_file("LENSMODEL_OPENCV5", "500, 501, 320, 240")),
+              "6: the lens model LENSMODEL_OPENCV5 has 9 intrinsics, but this file has 4");
+    EXPECT_EQ(problem(mrcal_file("LENSMODEL_PINHOLE", "500, 501, nan, 240")),
+              "6: 'intrinsics' has something else than a finite number");
+    EXPECT_EQ(problem(mrcal_file("LENSMODEL_SPLINED_STEREOGRAPHIC_order=3_Nx=5", "1, 1, 1, 1")),
+              "3: this is no splined model of mrcal");
+    EXPECT_EQ(problem("{'lensmodel': 'LENSMODEL_PINHOLE'"),
+              "1: this is no dictionary of mrcal: end of map flow not found");
+    EXPECT_EQ(problem("{'lensmodel': 'LENSMODEL_PINHOLE'}"),
+              "1: 'file.yml' has no list 'imagersize'");
+}
+
 TEST(Calibrations, SurviveMutations) {
-    const std::array<std::string, 2> good{
+    const std::array<std::string, 3> good{
         opencv_file(good_matrix, "-0.1, 0.02, 0.001, -0.002, 0.5",
                     "image_size: [640, 480]\nrvec: [0, 0, 1]\ntvec: [1, 2, 3]\nxi: 1\n"),
-        "1 RADIAL 640 480 500 320 240 -0.1 0.02\n2 FOV 640 480 300 301 320 240 0.9\n"};
+        "1 RADIAL 640 480 500 320 240 -0.1 0.02\n2 FOV 640 480 300 301 320 240 0.9\n",
+        mrcal_file("LENSMODEL_OPENCV4", "500, 501, 320, 240, -0.1, 0.2, 1e-3, 2e-3")};
     constexpr std::string_view letters = "[]{}:,-!&*#?|>%@`'\"\n\t .0e9\\";
     std::mt19937_64 random(29);
     const auto below = [&random](std::size_t n) {
         return std::uniform_int_distribution<std::size_t>(0, n - 1)(random);
     };
     for (int i = 0; i < 6000; ++i) {
-        std::string text = good[below(2)];
+        std::string text = good[below(good.size())];
         for (std::size_t k = below(4) + 1; k > 0; --k) {
             const std::size_t at = below(text.size());
             switch (below(4)) {

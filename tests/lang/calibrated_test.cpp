@@ -127,6 +127,28 @@ TEST(CalibratedCamera, TakesWhatTheFileDoesNotSay) {
     EXPECT_EQ(fisheye->parts().aspect, 640.0 / 480.0);
 }
 
+// What mrcal 2.2 computes of the same file: unproject() of pixels, and the place of the camera.
+TEST(CalibratedCamera, OfMrcalsSplinesIsThatOfMrcal) {
+    const Camera standard = made("camera drone { eye mrcal(\"drone.cameramodel\") }");
+    const auto expect_optical = [](const Camera& camera, double x, double y,
+                                   const std::array<double, 3>& d) {
+        const test::Ray ray = test::ray(camera, x + 0.5, y + 0.5, 1600.0, 1200.0);
+        EXPECT_TRUE(ray.valid);
+        // mrcal stops its search where the pixel is met to some 1e-8.
+        EXPECT_NEAR(ray.direction[0], d[2], 1e-9);
+        EXPECT_NEAR(ray.direction[1], -d[0], 1e-9);
+        EXPECT_NEAR(ray.direction[2], -d[1], 1e-9);
+    };
+    expect_optical(standard, 0, 0, {-0.7680742518741377, -0.5675881519179524, 0.2964888419660123});
+    expect_optical(standard, 1599, 1199,
+                   {0.7575608025498992, 0.5792109112554505, 0.3010254984591559});
+    expect_optical(standard, 400, 900,
+                   {-0.4708478474660859, 0.35147292459874097, 0.8091780322095758});
+    const Camera posed = made("camera drone { eye mrcal(\"drone.cameramodel\", pose = file) }");
+    expect_equal(test::ray(posed, 800.0, 600.0, 1600.0, 1200.0).origin,
+                 {-0.9576856124142508, -1.8809600530124722, 0.8915310127786127});
+}
+
 TEST(CalibratedCamera, SaysWhatIsMissing) {
     EXPECT_EQ(problem(entries, "opencv(\"calibration.yml\")"),
               "my.cam: calibration.yml' has no entry image_width");

@@ -88,6 +88,13 @@ StageResult make_from_file(const Arguments& a, const std::string& file, Calibrat
     for (const Calibration::Number& number : calibration.numbers) {
         values.push_back({number.name, Scalar(number.value, Unit::either)});
     }
+    if (!calibration.points.empty()) {
+        Points points;
+        for (const auto& [x, y] : calibration.points) {
+            points.push_back({x, y});
+        }
+        values.push_back({"points", std::move(points)});
+    }
     const std::vector<std::string_view> names = coefficient_names(model);
     if (calibration.distortion.size() > names.size()) {
         return error(fmt::format("'{}' has {} distortion coefficients, but this model has {}", file,
@@ -150,15 +157,18 @@ StageResult make_opencv(const Arguments& a) {
     return make_from_file(a, file.name, **calibration, given.empty() ? "opencv_pinhole" : given);
 }
 
-StageResult make_colmap(const Arguments& a) {
+StageResult make_stated(const Arguments& a, std::string_view stage) {
     const CalibrationFile& file = *a.file<CalibrationFile>("file");
-    const Result<const Calibration*> calibration = chosen(file, a, "colmap");
+    const Result<const Calibration*> calibration = chosen(file, a, stage);
     if (!calibration) {
         return calibration.diagnostics;
     }
     const std::string& stated = (*calibration)->model;
     return make_from_file(a, file.name, **calibration, stated.empty() ? "opencv_pinhole" : stated);
 }
+
+StageResult make_colmap(const Arguments& a) { return make_stated(a, "colmap"); }
+StageResult make_mrcal(const Arguments& a) { return make_stated(a, "mrcal"); }
 
 StageParameter file_parameter(std::string_view meaning) {
     return {.name = "file", .type = CalibrationParameter{}, .meaning = meaning};
@@ -230,6 +240,22 @@ that of the model's own object with the file's numbers
          .example = R"(
 camera survey {
     eye colmap("cameras.txt", camera = 2)
+}
+)"},
+        {.name = "mrcal",
+         .meaning = "a calibrated camera of a file that mrcal writes",
+         .formula = R"(
+that of opencv_pinhole or splined_stereographic with the numbers of the file
+)",
+         .parameters = std::vector{file_parameter("the file: a .cameramodel of LENSMODEL_PINHOLE, "
+                                                  "LENSMODEL_OPENCV4, 5, 8 or 12, or "
+                                                  "LENSMODEL_SPLINED_STEREOGRAPHIC")} +
+                       placing_parameters() + std::vector{camera_parameter()},
+         .make = make_mrcal,
+         .dimension = 2,
+         .example = R"(
+camera drone {
+    eye mrcal("drone.cameramodel")
 }
 )"},
     };

@@ -12,6 +12,11 @@
 
 namespace balcony::camera {
 
+/// Parts of what is needed: how exact an inverse is, and what is no inverse at all. The second also
+/// holds where a program computes in single precision, whose roundings are some 1e-7.
+inline constexpr double inverse_accuracy = 1e-13;
+inline constexpr double inverse_doubt = 1e-5;
+
 /// A value with its partial derivatives by two variables a and b (forward differentiation).
 template <class Number>
 struct Dual {

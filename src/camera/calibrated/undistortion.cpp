@@ -12,10 +12,6 @@ namespace balcony::camera {
 
 namespace {
 
-// Parts of what is needed: how exact the inverse is, and what is no inverse at all. The second also
-// holds where a program computes in single precision, whose roundings are some 1e-7.
-constexpr double accuracy = 1e-13;
-constexpr double doubt = 1e-5;
 constexpr std::size_t max_steps = 12;  // Newton doubles the number of digits in each
 constexpr int spokes = 24;             // along which a distortion without symmetry is tried
 
@@ -153,7 +149,7 @@ void Undistortion::count_steps() {
             const PlanePoint<double> p = distorted(distortion_, on_spoke(spoke, radius));
             const auto is_solved = [&] {
                 const auto [x, y] = distorted(distortion_, solved(p, steps_));
-                return std::hypot(x - p.a, y - p.b) <= accuracy * needed_;
+                return std::hypot(x - p.a, y - p.b) <= inverse_accuracy * needed_;
             };
             while (!is_solved()) {
                 if (++steps_ > max_steps) {
@@ -210,7 +206,7 @@ PlanePoint<Expr> Undistortion::emit(const PlanePoint<Expr>& p, Emitter& emit) co
     const auto [x, y] = distorted(distortion_, found);
     const Expr miss_x = x - p.a;
     const Expr miss_y = y - p.b;
-    const double allowed = doubt * needed_;
+    const double allowed = inverse_doubt * needed_;
     emit.require(miss_x * miss_x + miss_y * miss_y <= emit(allowed * allowed));
     emit.require(found.a * found.a + found.b * found.b <= emit(radius_ * radius_));
     return found;

@@ -85,6 +85,7 @@ StageResult as_stage(Result<std::shared_ptr<const Port>> made) {
 [[nodiscard]] std::vector<StageEntry> panini();
 [[nodiscard]] std::vector<StageEntry> mirrors();
 [[nodiscard]] std::vector<StageEntry> distorted_cameras();
+[[nodiscard]] std::vector<StageEntry> splined_cameras();
 [[nodiscard]] std::vector<StageEntry> closed_form_cameras();
 [[nodiscard]] std::vector<StageEntry> calibration_files();
 [[nodiscard]] std::vector<StageEntry> object_affine();
@@ -137,6 +138,7 @@ inline constexpr std::array families = {
     Family{mirrors, StageKind::object_generator, "Mirrors"},
     Family{calibration_files, StageKind::object_generator, "Calibrated cameras"},
     Family{distorted_cameras, StageKind::object_generator, "Calibrated cameras"},
+    Family{splined_cameras, StageKind::object_generator, "Calibrated cameras"},
     Family{closed_form_cameras, StageKind::object_generator, "Calibrated cameras"},
     Family{object_affine, StageKind::object_transformer},
     Family{camera_placements, StageKind::object_transformer},

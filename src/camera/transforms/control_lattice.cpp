@@ -17,7 +17,11 @@ struct Cells {
 };
 
 Cells cells_of(const LatticeAxis& axis, LatticeBasis basis) {
-    return basis == LatticeBasis::bernstein ? Cells{1, axis.points - 1} : Cells{axis.points - 1, 3};
+    switch (basis) {
+        case LatticeBasis::bernstein: return {1, axis.points - 1};
+        case LatticeBasis::quadratic: return {axis.points - 2, 2};
+        default: return {axis.points - 1, 3};
+    }
 }
 
 /// The coefficients, by cell, of the uniform cubic B-spline with the given control values; those
@@ -33,6 +37,21 @@ std::vector<double> b_spline(std::span<const double> control) {
         const double d = i + 2 <= last ? control[i + 2] : 2.0 * c - b;
         for (const double power : {(a + 4.0 * b + c) / 6.0, (c - a) / 2.0, (a - 2.0 * b + c) / 2.0,
                                    (d - 3.0 * c + 3.0 * b - a) / 6.0}) {
+            powers.push_back(power);
+        }
+    }
+    return powers;
+}
+
+/// The same of a quadratic B-spline, without what is beyond the middles between the first two and
+/// between the last two values.
+std::vector<double> quadratic_b_spline(std::span<const double> control) {
+    std::vector<double> powers;
+    for (std::size_t i = 0; i + 2 < control.size(); ++i) {
+        const double a = control[i];
+        const double b = control[i + 1];
+        const double c = control[i + 2];
+        for (const double power : {(a + b) / 2.0, b - a, (a - 2.0 * b + c) / 2.0}) {
             powers.push_back(power);
         }
     }
@@ -81,6 +100,7 @@ std::vector<double> bernstein(std::span<const double> control) {
 std::vector<double> powers_along(std::span<const double> line, LatticeBasis basis) {
     switch (basis) {
         case LatticeBasis::b_spline: return b_spline(line);
+        case LatticeBasis::quadratic: return quadratic_b_spline(line);
         case LatticeBasis::interpolating: return b_spline(interpolating_control(line));
         case LatticeBasis::bernstein: break;
     }
@@ -141,9 +161,14 @@ expr::Table lattice_table(std::span<const LatticeAxis> axes, std::vector<double>
     expr::Table table;
     std::vector<Cells> cells;
     for (const LatticeAxis& axis : axes) {
-        assert(axis.points >= 2);
+        assert(axis.points >= (basis == LatticeBasis::quadratic ? 3 : 2));
         cells.push_back(cells_of(axis, basis));
-        table.axes.push_back({axis.first, axis.last, cells.back().count, cells.back().degree});
+        const double within =
+            basis == LatticeBasis::quadratic
+                ? 0.5 * (axis.last - axis.first) / static_cast<double>(axis.points - 1)
+                : 0.0;
+        table.axes.push_back(
+            {axis.first + within, axis.last - within, cells.back().count, cells.back().degree});
     }
     for (std::size_t axis = axes.size(); axis-- > 0;) {
         values = expand_last_axis(values, axes[axis].points, basis);

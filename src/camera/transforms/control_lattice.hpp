@@ -12,10 +12,12 @@
 namespace balcony::camera {
 
 /// How values at the points of a lattice define a function; each basis reproduces a constant
-/// and a linear function. With the first two, which are twice continuously differentiable, the
+/// and a linear function. With cubic ones, which are twice continuously differentiable, the
 /// second derivative across the border of the box is 0.
 enum class LatticeBasis : std::uint8_t {
     b_spline,       ///< Uniform cubic B-splines: approximate the values, interpolate the corners.
+    quadratic,      ///< Uniform quadratic B-splines, whose values are in the middle of their cells:
+                    ///< the box ends half a step within the first and the last value.
     interpolating,  ///< Natural cubic splines: interpolate all values.
     bernstein,      ///< One polynomial, a Bézier patch: interpolates the corners.
 };

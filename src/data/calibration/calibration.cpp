@@ -173,8 +173,10 @@ Result<std::shared_ptr<const CalibrationFile>> read_calibration(const File& file
                      "save the calibration as YAML: OpenCV's FileStorage does it for a file name "
                      "that ends in .yml");
     }
-    Result<std::vector<Calibration>> cameras =
-        is_yaml(all) ? read_yaml_calibration(*source) : read_colmap_cameras(*source);
+    Result<std::vector<Calibration>> cameras = all.find("'lensmodel'") != all.npos
+                                                   ? read_mrcal_model(*source)
+                                               : is_yaml(all) ? read_yaml_calibration(*source)
+                                                              : read_colmap_cameras(*source);
     if (!cameras) {
         return std::move(cameras.diagnostics);
     }

@@ -13,10 +13,12 @@
 
 namespace balcony::data {
 
-/// The readers of the two formats.
+/// The readers of the formats.
 [[nodiscard]] Result<std::vector<camera::Calibration>> read_yaml_calibration(
     const std::shared_ptr<const SourceText>& source);
 [[nodiscard]] Result<std::vector<camera::Calibration>> read_colmap_cameras(
+    const std::shared_ptr<const SourceText>& source);
+[[nodiscard]] Result<std::vector<camera::Calibration>> read_mrcal_model(
     const std::shared_ptr<const SourceText>& source);
 
 /// A number of an entry, and where it is.
