@@ -218,15 +218,22 @@ Diagnostics warnings_of(const Problem& problem, const Solution& solution, std::s
                         counted(unknowns, "unknown number")),
             {}, "add constraints, or leave out unknowns"));
     }
+    constexpr std::size_t named = 5;  // Of the marks that are not seen.
+    std::size_t unseen = 0;
     const std::vector<bool> wanted = marks_in_use(problem, ConstraintKind::outside);
     for (std::size_t i = 0; i < problem.marks.size(); ++i) {
-        if (wanted[i] && !solution.seen[i]) {
+        if (wanted[i] && !solution.seen[i] && ++unseen <= named) {
             warnings.push_back(warning(
                 fmt::format("the camera that was found does not show {}",
                             name_of(problem.marks[i], i)),
                 problem.marks[i].written,
                 "correct its place or its position, or free a parameter that brings it into view"));
         }
+    }
+    if (unseen > named) {
+        warnings.push_back(
+            warning(fmt::format("nor does it show {}", counted(unseen - named, "other mark")), {},
+                    "start the unknowns nearer to the camera that is meant"));
     }
     return warnings;
 }

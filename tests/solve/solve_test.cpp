@@ -248,6 +248,16 @@ TEST(Solve, SaysWhatTheFoundCameraDoesNotShow) {
     const auto solution = solve(camera.camera, width, height, problem);
     ASSERT_TRUE(solution) << first_message(solution);
     EXPECT_EQ(first_message(solution), "the camera that was found does not show the mark 'behind'");
+    // Five are named.
+    for (int i = 0; i < 6; ++i) {
+        problem.marks.push_back(problem.marks[1]);
+        problem.constraints.push_back(problem.constraints[1]);
+        problem.constraints.back().marks = {problem.marks.size() - 1};
+    }
+    const auto many = solve(camera.camera, width, height, problem);
+    ASSERT_TRUE(many) << first_message(many);
+    ASSERT_EQ(many.diagnostics.size(), 6U);
+    EXPECT_EQ(many.diagnostics.back().message, "nor does it show 2 other marks");
 }
 
 TEST(Solve, SaysWhatIsNotDetermined) {

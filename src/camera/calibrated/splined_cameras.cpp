@@ -142,7 +142,7 @@ private:
 
 /// Newton's steps for all of the image that the splines reach; nothing if that is nothing.
 std::optional<std::size_t> steps_for(const ImageFrame& frame, const SplinedPlane& plane) {
-    constexpr int places = 48;
+    constexpr int places = 16;
     std::optional<std::size_t> most;
     for (int j = 0; j <= places; ++j) {
         for (int i = 0; i <= places; ++i) {
