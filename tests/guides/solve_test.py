@@ -58,6 +58,21 @@ class SolveGuide(guide.GuideTest):
                 for name, _, deviation, off in rows:
                     self.assertLess(float(off), 1e-3 * float(deviation), name)
 
+    def test_splines_follow_a_lens(self):
+        """Three deviations beyond what the noise, less 84 of 568 equations, leaves."""
+        missed = float(re.search(r"^marks miss their positions by (\S+) pixels",
+                                 self.output_of("balcony solve free.cam"), re.M)[1])
+        expected = 0.1 * (2 * (1 - 84 / 568)) ** 0.5
+        self.assertAlmostEqual(missed, expected, delta=3 * expected / (2 * 484) ** 0.5)
+
+    def test_the_pane_of_a_tank_is_found(self):
+        rows = dict(re.findall(r"^(f|pane|index) +(\S+ +\S+)",
+                               self.output_of("balcony solve tank.cam:tank"), re.M))
+        for name, true in ("f", 812), ("pane", 0.13), ("index", 1.333):
+            value, deviation = map(float, rows[name].split())
+            self.assertLess(abs(value - true), 3 * deviation, name)
+            self.assertLess(deviation, 0.02 * true, name)
+
     def test_walls_become_straight(self):
         """As it is, the grid misses these rows by 8 to 17 pixels."""
         document = json.loads(self.run_line("balcony solve wide.cam --with wide.yml --json"))
