@@ -116,12 +116,12 @@ std::shared_ptr<const Mask> Supersampling::of(const Region& tile, PictureRays& r
     return known_.emplace(place, std::move(shared)).first->second;
 }
 
-// What a ray meets first, or by way of perfect mirrors.
+// What a ray meets first, or by way of panes and perfect mirrors.
 Supersampling::Probe Supersampling::probe(DifferentialRay ray) const {
-    constexpr std::size_t most_mirrors = 8;
+    constexpr std::size_t most_passed = 8;
     const SceneTracer tracer(*traced_);
     float part = 1.0F;
-    for (std::size_t mirrors = 0; mirrors < most_mirrors; ++mirrors) {
+    for (std::size_t passed = 0; passed < most_passed; ++passed) {
         const embree::Hit hit = tracer.nearest(ray);
         if (!hit.any()) {
             return {shows_environment_
@@ -134,6 +134,11 @@ Supersampling::Probe Supersampling::probe(DifferentialRay ray) const {
             part * luminance(appearance.unlit ? appearance.base_color : at.emission(ray.direction));
         if (lamp > 0.0F || appearance.unlit) {
             return {lamp};
+        }
+        if (const Color3f straight = at.straight(ray.direction); !is_black(straight)) {
+            part *= luminance(straight);
+            ray.origin = at.surface.start(ray.direction);
+            continue;
         }
         const Bsdf bsdf = at.bsdf();
         if (bsdf.material().is_clear()) {
