@@ -314,6 +314,12 @@ TEST(MrcalModel, NamesTheEntryThatIsWrong) {
               "6: 'intrinsics' has something else than a finite number");
     EXPECT_EQ(problem(mrcal_file("LENSMODEL_SPLINED_STEREOGRAPHIC_order=3_Nx=5", "1, 1, 1, 1")),
               "3: this is no splined model of mrcal");
+    EXPECT_EQ(problem(mrcal_file("LENSMODEL_SPLINED_STEREOGRAPHIC_order=3_Nx=4_Ny=4.5_fov_x_deg=90",
+                                 "1, 1, 1, 1")),
+              "3: this is no splined model of mrcal");
+    for (const char* const text : {"'lensmodel'", "['lensmodel', 3]"}) {
+        EXPECT_EQ(problem(text), "1: 'file.yml' is no dictionary of mrcal");
+    }
     EXPECT_EQ(problem("{'lensmodel': 'LENSMODEL_PINHOLE'"),
               "1: this is no dictionary of mrcal: end of map flow not found");
     EXPECT_EQ(problem("{'lensmodel': 'LENSMODEL_PINHOLE'}"),

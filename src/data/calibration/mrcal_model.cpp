@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -68,11 +69,16 @@ private:
     }
 
     void read(const YAML::Node& file) {
+        if (!file.IsMap()) {
+            error({source_, 0, 0}, fmt::format("'{}' is no dictionary of mrcal", source_->name()),
+                  "write the model again with mrcal's cameramodel.write()");
+            return;
+        }
         made_.origin = "pixel_center";
         const YAML::Node model = file["lensmodel"];
         const std::vector<EntryNumber> size = numbers(file, "imagersize", 2);
         const std::vector<EntryNumber> intrinsics = numbers(file, "intrinsics", 0);
-        const bool has_reference = file.IsMap() && file["rt_cam_ref"];
+        const bool has_reference = file["rt_cam_ref"].IsDefined();
         const std::vector<EntryNumber> pose =
             numbers(file, has_reference ? "rt_cam_ref" : "extrinsics", 6);
         if (has_errors(found_)) {
@@ -95,7 +101,7 @@ private:
 
     /// So many numbers, or any.
     std::vector<EntryNumber> numbers(const YAML::Node& file, const char* name, std::size_t count) {
-        const YAML::Node list = file.IsMap() ? file[name] : YAML::Node();
+        const YAML::Node list = file[name];
         std::vector<EntryNumber> made;
         if (!list || !list.IsSequence()) {
             error({source_, 0, 0}, fmt::format("'{}' has no list '{}'", source_->name(), name),
@@ -168,7 +174,9 @@ private:
             rest.remove_prefix(good ? names[i].size() : 0);
             const std::size_t end = std::min(rest.find('_'), rest.size());
             const auto value = finite_number(rest.substr(0, end));
-            good = good && value && *value >= 2.0 && *value <= 1000.0;
+            const bool is_count = i + 1 < names.size();
+            good = good && value && *value >= 2.0 && *value <= 1000.0 &&
+                   (!is_count || *value == std::floor(*value));
             values[i] = value.value_or(0.0);
             rest.remove_prefix(end);
         }
