@@ -40,11 +40,10 @@ struct Path {
 inline constexpr std::string_view lens_input_x = "lens_x";
 inline constexpr std::string_view lens_input_y = "lens_y";
 
-/// A lens around a ray, as expressions of the lens inputs and what else a ray depends on.
+/// A ray through a lens, as expressions of the lens inputs and what else a ray depends on.
 struct LensExpressions {
-    ObjectVector offset;  ///< From the ray's origin to the point of the aperture.
-    Expr vergence;        ///< 1 divided by the distance along the ray of what is sharp.
-    Expr valid;           ///< 1 where these are finite.
+    LensRay ray;
+    std::vector<expr::Substitution> fixed{};  ///< As those of LensRays.
 };
 
 /// The ray of a picture point, as expressions of picture x, picture y and time. If there is a lens,
@@ -69,12 +68,9 @@ struct RayFootprint {
 /// The derivatives are computed from the ray's expressions on request.
 [[nodiscard]] RayFootprint footprint(const RayExpressions& ray);
 
-/// The ray through the point of the aperture that the lens inputs name, as a ray without a lens:
-/// with the central ray's origin o and unit direction d, the offset a and the vergence q, it starts
-/// at o + a and has the direction d - q a. All of these meet in the point o + d/q, which is sharp.
+/// The ray through the point of the aperture that the lens inputs name, as a ray without a lens.
 [[nodiscard]] RayExpressions through_lens(const RayExpressions& ray);
-/// Its footprint for an offset that stays the same from pixel to pixel: in the sharp point it is
-/// that of the central ray.
+/// Its footprint. That of a thin lens is the footprint of the central ray in the sharp point.
 [[nodiscard]] RayFootprint footprint_through_lens(const RayExpressions& ray);
 
 /// A turn of all rays of a camera about a vertical axis, counterclockwise seen from above.

@@ -12,6 +12,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "balcony/emitter.hpp"
 #include "balcony/formula.hpp"
@@ -185,8 +186,39 @@ struct AperturePoint {
     Expr x, y;
 };
 
-/// A thin lens. Its aperture lies across each ray, with the origin of the ray in its centre.
+/// A ray of a lens.
+struct LensRay {
+    ObjectPoint origin;
+    ObjectVector direction;  ///< Of any length except 0.
+    Expr inverse_length;     ///< 1 divided by its length.
+    Expr valid;              ///< 1 where there is a ray with finite values, otherwise 0.
+};
+
+/// What a lens makes of a central ray.
+struct LensRays {
+    LensRay ray;  ///< Through a point of the aperture.
+    /// Variables in its formulas, and what they are: parts that its footprint takes to be the same
+    /// from pixel to pixel.
+    std::vector<expr::Substitution> fixed{};
+    /// Through the middle of the aperture, if that is not the central ray.
+    std::optional<LensRay> middle{};
+};
+
+/// A lens in the place of a pinhole.
 class Lens : public Stage {
+public:
+    /// The rays of a point of the picture. `square` is a point of the square from (-1, -1) to
+    /// (1, 1), in which all points are equally likely.
+    [[nodiscard]] virtual LensRays rays(const CentralRay& central, const AperturePoint& square,
+                                        Emitter& emit) const = 0;
+    [[nodiscard]] virtual const FocusSurface& focus() const = 0;
+    /// Whether it is a pinhole: all rays are central ones.
+    [[nodiscard]] virtual bool is_pinhole() const { return false; }
+};
+
+/// A lens whose aperture lies across each ray, with the origin of the ray in its centre. All rays
+/// of a point of the picture meet where the lens is focused.
+class ThinLens : public Lens {
 public:
     /// In scene units; 0 is a pinhole.
     [[nodiscard]] virtual Scalar radius() const = 0;
@@ -194,7 +226,12 @@ public:
     /// (0, 0) to its centre, and parts of equal area to parts of equal area.
     [[nodiscard]] virtual AperturePoint aperture(const AperturePoint& square,
                                                  Emitter& emit) const = 0;
-    [[nodiscard]] virtual const FocusSurface& focus() const = 0;
+    /// With the central ray's origin o and unit direction d, the offset a of a point of the
+    /// aperture and the vergence q of the focus: the ray from o + a with the direction d - q a,
+    /// which meets all others in o + d/q. In its footprint, a stays the same from pixel to pixel.
+    [[nodiscard]] LensRays rays(const CentralRay& central, const AperturePoint& square,
+                                Emitter& emit) const final;
+    [[nodiscard]] bool is_pinhole() const final { return radius().constant() == 0.0; }
 };
 
 // -------------------------------------------------------------------------------------- layers

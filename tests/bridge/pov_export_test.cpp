@@ -9,6 +9,7 @@
 
 #include "balcony/lang.hpp"
 #include "bridge/text/camera_formulas.hpp"
+#include "bridge/text/middle_of_lens.hpp"
 #include "examples.hpp"
 #include "pov_interpreter.hpp"
 
@@ -27,12 +28,6 @@ Result<ExportedCamera> exported(const camera::Camera& camera) {
 std::string pov_name(std::string name) {
     name.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(name.front())));
     return name;
-}
-
-camera::Camera without_lens(const camera::Camera& camera) {
-    camera::Camera::Parts parts = camera.parts();
-    parts.lens = nullptr;
-    return *camera::Camera::make(std::move(parts)).value;
 }
 
 // From POV-Ray's left-handed world with y up to Balcony's with y up.
@@ -74,7 +69,7 @@ TEST(PovExport, ComputesTheRaysOfAllExamplesThatItCanExpress) {
         }
         ++expressed;
         const PovScene scene(text->text, test::width, test::height);
-        const Example pinhole{example.name, without_lens(example.camera)};
+        const Example pinhole{example.name, *with_middle_of_lens(example.camera, "", "").value};
         const Axes axes = example.camera.parts().axes;
         std::vector<ExportedRay> rays;
         for (const auto& [x, y] : test::points()) {

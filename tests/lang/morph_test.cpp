@@ -278,8 +278,9 @@ TEST(MorphOfParameters, KeepsLensAndTimeOfTheCamera) {
         "camera c(r = 1) { map u = 1 .. -1, v = square  eye point(t, 0, 0)  toward plane((100, 0, "
         "0))  lens(radius = r, focus = 5)  time = t + y }\n"
         "camera m { morph c(r = 1) .. c(r = 3), amount = 0.5  move translate(0, 1, 0) }");
-    ASSERT_TRUE(camera.parts().lens);
-    EXPECT_EQ(camera.parts().lens->radius().constant(), 2.0);
+    const auto lens = std::dynamic_pointer_cast<const camera::ThinLens>(camera.parts().lens);
+    ASSERT_TRUE(lens);
+    EXPECT_EQ(lens->radius().constant(), 2.0);
     EXPECT_NEAR(ray_at(camera, 0.5, 1.0).origin[0], 1.0, tolerance);
     EXPECT_NEAR(ray_at(camera, 0.5, 1.0).origin[1], 1.0, tolerance);
 }

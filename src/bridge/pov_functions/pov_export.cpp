@@ -12,6 +12,7 @@
 #include "bridge/pov_functions/function_chain.hpp"
 #include "bridge/pov_functions/spline_table.hpp"
 #include "bridge/text/c_like.hpp"
+#include "bridge/text/middle_of_lens.hpp"
 #include "bridge/text/targets.hpp"
 
 namespace balcony::bridge {
@@ -297,18 +298,11 @@ private:
 };
 
 // The functions of a user_defined camera know nothing of an aperture.
-Result<camera::Camera> without_lens(const camera::Camera& camera) {
-    camera::Camera::Parts parts = camera.parts();
-    if (parts.lens == nullptr) {
-        return camera;
-    }
-    const Diagnostic left_out =
-        warning(fmt::format("the lens of the camera '{}' is left out: the user_defined camera of "
-                            "POV-Ray has one ray for each point of the picture",
-                            camera.name()),
-                parts.lens_span, "use 'balcony pov', which knows lenses");
-    parts.lens = nullptr;
-    return {*camera::Camera::make(std::move(parts)).value, {left_out}};
+Result<camera::Camera> without_aperture(const camera::Camera& camera) {
+    return with_middle_of_lens(camera,
+                               "the user_defined camera of POV-Ray has one ray for each point of "
+                               "the picture",
+                               "use 'balcony pov', which knows lenses");
 }
 
 class PovExport {
@@ -416,7 +410,7 @@ ExportTarget pov_target() {
             .ending = ".inc",
             .write = write_pov,
             .axes = Axes::y_up,
-            .adapted = without_lens};
+            .adapted = without_aperture};
 }
 
 }  // namespace balcony::bridge

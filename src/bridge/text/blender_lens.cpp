@@ -3,6 +3,8 @@
 
 #include "bridge/text/blender_lens.hpp"
 
+#include "bridge/text/middle_of_lens.hpp"
+
 namespace balcony::bridge {
 
 namespace {
@@ -11,9 +13,9 @@ using camera::AperturePoint;
 using camera::CentralRay;
 using camera::Emitter;
 using camera::FocusSurface;
-using camera::Lens;
 using camera::LensPointer;
 using camera::Scalar;
+using camera::ThinLens;
 using expr::Expr;
 
 /// The distance of Blender's camera, or the camera's own surface.
@@ -32,7 +34,7 @@ private:
 };
 
 /// The aperture of Blender's camera, which has its size already.
-class BlenderLens final : public Lens {
+class BlenderLens final : public ThinLens {
 public:
     explicit BlenderLens(LensPointer own) : focus_(std::move(own)) {}
     Scalar radius() const override { return 1.0; }
@@ -50,6 +52,10 @@ private:
 Result<camera::Camera> with_blender_lens(const camera::Camera& camera) {
     if (!camera.parts().lens) {
         return camera;
+    }
+    if (std::dynamic_pointer_cast<const ThinLens>(camera.parts().lens) == nullptr) {
+        return with_middle_of_lens(camera, "the aperture of Blender's camera lies across each ray",
+                                   "use 'balcony render', or lens(radius, focus)");
     }
     camera::Camera::Parts parts = camera.parts();
     parts.lens = std::make_shared<const BlenderLens>(parts.lens);

@@ -15,8 +15,8 @@ inline constexpr std::string_view aperture_y_input = "aperture_y";
 inline constexpr std::string_view focal_distance_input = "focal_distance";
 inline constexpr std::string_view own_focus_input = "own_focus";
 
-/// The camera with the aperture and the focus of Blender's camera in the place of its own; itself
-/// if it has no lens.
+/// The camera with the aperture and the focus of Blender's camera in the place of its own, or with
+/// the middle of a lens that has no aperture across its rays; itself if it has no lens.
 [[nodiscard]] Result<camera::Camera> with_blender_lens(const camera::Camera& camera);
 
 }  // namespace balcony::bridge

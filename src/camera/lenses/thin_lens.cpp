@@ -7,6 +7,7 @@
 
 #include "camera/catalogue/families.hpp"
 #include "camera/catalogue/stage_parameters.hpp"
+#include "camera/lenses/disc.hpp"
 
 namespace balcony::camera {
 
@@ -14,28 +15,9 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// A point of a disc: the distance from the centre, and the angle from 0 to 2 pi.
-struct PolarPoint {
-    Expr radius, angle;
-};
-
-/// The square from (-1, -1) to (1, 1) on a disc, by the concentric map of Shirley and Chiu, "A Low
-/// Distortion Map between Disk and Square" (1997): squares around the centre become circles.
-PolarPoint on_disc(const AperturePoint& square, const Emitter& emit) {
-    const auto& [x, y] = square;
-    const Expr wide = abs(y) < abs(x);
-    const Expr radius = select(wide, abs(x), abs(y));
-    // From the axis that is nearest; the centre has the angle 0 from it.
-    const Expr ratio = select(wide, y / x, select(0.0 < radius, -(x / y), emit(0.0)));
-    const Expr axis = select(wide, select(x < 0.0, emit(pi), emit(0.0)),
-                             select(y < 0.0, emit(1.5 * pi), emit(0.5 * pi)));
-    const Expr angle = axis + pi / 4.0 * ratio;
-    return {radius, select(angle < 0.0, angle + 2.0 * pi, angle)};
-}
-
-class ThinLens : public Lens {
+class FocusedLens : public ThinLens {
 public:
-    ThinLens(Scalar radius, FocusSurfacePointer focus)
+    FocusedLens(Scalar radius, FocusSurfacePointer focus)
         : radius_(std::move(radius)), focus_(std::move(focus)) {}
     Scalar radius() const final { return radius_; }
     const FocusSurface& focus() const final { return *focus_; }
@@ -45,8 +27,8 @@ private:
     FocusSurfacePointer focus_;
 };
 
-class RoundLens final : public ThinLens {
-    using ThinLens::ThinLens;
+class RoundLens final : public FocusedLens {
+    using FocusedLens::FocusedLens;
     AperturePoint aperture(const AperturePoint& square, Emitter& emit) const override {
         const PolarPoint p = on_disc(square, emit);
         return {p.radius * cos(p.angle), p.radius * sin(p.angle)};
@@ -55,10 +37,10 @@ class RoundLens final : public ThinLens {
 
 /// The polygon with its corners on the circle. Each sector of the disc goes to the triangle of a
 /// side: arcs around the centre become straight, and are divided evenly as before.
-class PolygonalLens final : public ThinLens {
+class PolygonalLens final : public FocusedLens {
 public:
     PolygonalLens(Scalar radius, FocusSurfacePointer focus, std::size_t blades, Scalar rotation)
-        : ThinLens(std::move(radius), std::move(focus)),
+        : FocusedLens(std::move(radius), std::move(focus)),
           blades_(static_cast<double>(blades)),
           rotation_(std::move(rotation)) {}
     AperturePoint aperture(const AperturePoint& square, Emitter& emit) const override {
@@ -85,9 +67,7 @@ StageResult make_thin_lens(const Arguments& a) {
         return made<RoundLens>(a.number("radius"), focus);
     }
     if (blades < 3) {
-        return error(
-            blades == 1 ? "an aperture cannot have 1 blade" : "an aperture cannot have 2 blades",
-            {}, "write 3 or more for a polygon, or 0 for a round aperture");
+        return too_few_blades(blades);
     }
     return made<PolygonalLens>(a.number("radius"), focus, blades, a.number("rotation"));
 }

@@ -281,9 +281,9 @@ Camera::Emitted::Emitted(Parts made_of, const std::stop_token& stop, std::size_t
         problems.insert(problems.end(), stereo_emit.problems().begin(),
                         stereo_emit.problems().end());
     }
-    if (parts.lens && parts.lens->radius().constant() != 0.0) {
+    if (parts.lens) {
         Emitter lens_emit(graph, trial);
-        ray.lens = lens_around(ray, *parts.lens, picture, lens_emit);
+        ray = with_lens(ray, *parts.lens, picture, lens_emit);
         problems.insert(problems.end(), lens_emit.problems().begin(), lens_emit.problems().end());
     }
     if (parts.turn) {

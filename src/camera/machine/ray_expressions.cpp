@@ -36,8 +36,11 @@ std::vector<Expr> values_of(const RayExpressions& ray) {
                              ray.direction.x, ray.direction.y,  ray.direction.z,
                              ray.valid,       ray.parameters.u, ray.parameters.v};
     if (ray.lens) {
-        values.insert(values.end(), {ray.lens->offset.x, ray.lens->offset.y, ray.lens->offset.z,
-                                     ray.lens->vergence, ray.lens->valid});
+        const auto& [o, d, inverse_length, valid] = ray.lens->ray;
+        values.insert(values.end(), {o.x, o.y, o.z, d.x, d.y, d.z, inverse_length, valid});
+        for (const expr::Substitution& one : ray.lens->fixed) {
+            values.push_back(one.replacement);
+        }
     }
     if (ray.time) {
         values.push_back(*ray.time);
@@ -66,10 +69,22 @@ CentralRay middle_of(const CentralRay& ray) {
 
 RayExpressions substitute(Graph& target, const RayExpressions& ray,
                           std::span<const expr::Substitution> put) {
-    const std::vector<Expr> r = expr::substitute(target, values_of(ray), put);
+    std::vector<expr::Substitution> all(put.begin(), put.end());
+    std::vector<expr::Substitution> fixed;
+    if (ray.lens) {
+        for (const expr::Substitution& one : ray.lens->fixed) {
+            fixed.push_back({target.fresh_variable(), {}});
+            all.push_back({one.leaf, fixed.back().leaf});
+        }
+    }
+    const std::vector<Expr> r = expr::substitute(target, values_of(ray), all);
     RayExpressions made{{r[0], r[1], r[2]}, {r[3], r[4], r[5]}, r[6], {r[7], r[8]}, {}, {}};
     if (ray.lens) {
-        made.lens = LensExpressions{{r[9], r[10], r[11]}, r[12], r[13]};
+        for (std::size_t i = 0; i < fixed.size(); ++i) {
+            fixed[i].replacement = r[17 + i];
+        }
+        made.lens = LensExpressions{{{r[9], r[10], r[11]}, {r[12], r[13], r[14]}, r[15], r[16]},
+                                    std::move(fixed)};
     }
     if (ray.time) {
         made.time = r.back();
@@ -145,14 +160,19 @@ std::optional<Slopes> slopes_through(const std::array<Expr, 2>& parameters, Valu
     return made;
 }
 
+Slopes slopes_by_picture(const std::array<Expr, 2>& parameters, Values values, Graph& graph) {
+    const auto shared = slopes_through(parameters, values, graph);
+    return shared ? *shared : slopes_of(values, graph);
+}
+
 }  // namespace
 
 RayFootprint footprint(const RayExpressions& ray) {
     Graph& graph = ray.origin.x.graph();
     const std::array values{ray.origin.x,    ray.origin.y,    ray.origin.z,
                             ray.direction.x, ray.direction.y, ray.direction.z};
-    const auto shared = slopes_through({ray.parameters.u, ray.parameters.v}, values, graph);
-    const auto [by_x, by_y] = shared ? *shared : slopes_of(values, graph);
+    const auto [by_x, by_y] =
+        slopes_by_picture({ray.parameters.u, ray.parameters.v}, values, graph);
     return {{by_x[0], by_x[1], by_x[2]},
             {by_y[0], by_y[1], by_y[2]},
             {by_x[3], by_x[4], by_x[5]},
@@ -195,51 +215,88 @@ RayExpressions seen_by_eye(const RayExpressions& ray, const StereoView& stereo,
 
 // ---------------------------------------------------------------------------------------- lens
 
-LensExpressions lens_around(const RayExpressions& ray, const Lens& lens,
-                            const PicturePoint& picture, Emitter& emit) {
+namespace {
+
+ObjectVector unit_direction(const LensRay& ray) { return ray.inverse_length * ray.direction; }
+
+}  // namespace
+
+RayExpressions with_lens(const RayExpressions& ray, const Lens& lens, const PicturePoint& picture,
+                         Emitter& emit) {
     Graph& graph = emit.graph();
-    const CentralRay central{ray.origin, ray.direction, ray.parameters, picture};
-    const Expr power = lens.focus().vergence(central, emit);
-    const Expr vergence = select(0.0 < power && is_finite(power), power, emit(0.0));
-    const AperturePoint at =
-        lens.aperture({graph.input(lens_input_x), graph.input(lens_input_y)}, emit);
-    const ObjectVector right = right_across(central, vergence, emit);
-    const ObjectVector up = cross(right, ray.direction);
-    const Expr radius = emit(lens.radius());
-    const ObjectVector offset = radius * (at.x * right + at.y * up);
-    emit.require(is_finite(dot(offset, offset) + vergence));
-    return {offset, vergence, emit.valid()};
+    const LensRays rays = lens.rays({ray.origin, ray.direction, ray.parameters, picture},
+                                    {graph.input(lens_input_x), graph.input(lens_input_y)}, emit);
+    RayExpressions made = ray;
+    if (!lens.is_pinhole()) {
+        made.lens = LensExpressions{rays.ray, rays.fixed};
+        made.lens->ray.valid = ray.valid && emit.valid() && rays.ray.valid;
+    }
+    if (rays.middle) {
+        made.origin = rays.middle->origin;
+        made.direction = unit_direction(*rays.middle);
+        made.valid = ray.valid && emit.valid() && rays.middle->valid;
+    }
+    return made;
 }
 
 // The offset a is perpendicular to the unit direction d, so that |d - q a|² = 1 + q² |a|², which
 // is exactly 1 in the middle of the lens.
+LensRays ThinLens::rays(const CentralRay& central, const AperturePoint& square,
+                        Emitter& emit) const {
+    const ObjectVector& d = central.direction;
+    const Expr power = focus().vergence(central, emit);
+    const Expr vergence = select(0.0 < power && is_finite(power), power, emit(0.0));
+    const AperturePoint at = aperture(square, emit);
+    const ObjectVector right = right_across(central, vergence, emit);
+    const ObjectVector up = cross(right, d);
+    const Expr radius = emit(this->radius());
+    const ObjectVector offset = radius * (at.x * right + at.y * up);
+    Graph& graph = emit.graph();
+    const ObjectVector a{graph.fresh_variable(), graph.fresh_variable(), graph.fresh_variable()};
+    const ObjectVector turn = vergence * a;
+    return {{central.origin + a, d + -turn, 1.0 / sqrt(1.0 + dot(turn, turn)),
+             is_finite(dot(offset, offset) + vergence)},
+            {{a.x, offset.x}, {a.y, offset.y}, {a.z, offset.z}}};
+}
+
+namespace {
+
+ObjectVector vector_at(std::span<const Expr> values, std::size_t first) {
+    return {values[first], values[first + 1], values[first + 2]};
+}
+
+}  // namespace
+
 RayExpressions through_lens(const RayExpressions& ray) {
-    const auto& [offset, vergence, valid] = *ray.lens;
-    const ObjectVector turn = vergence * offset;
+    const auto& [o, d, inverse_length, valid] = ray.lens->ray;
+    const std::vector<Expr> values = expr::substitute(
+        o.x.graph(), std::array{o.x, o.y, o.z, d.x, d.y, d.z, inverse_length, valid},
+        ray.lens->fixed);
     RayExpressions made = ray;
-    made.origin = ray.origin + offset;
-    made.direction = (1.0 / sqrt(1.0 + dot(turn, turn))) * (ray.direction + -turn);
-    made.valid = ray.valid && valid;
+    made.origin = {values[0], values[1], values[2]};
+    made.direction = values[6] * vector_at(values, 3);
+    made.valid = values[7];
     made.lens.reset();
     return made;
 }
 
-// Of w/|w| with w = d - q a: the part across of the derivative of w, divided by |w|.
+// Of w/|w|: the part across of the derivative of w, divided by |w|.
 RayFootprint footprint_through_lens(const RayExpressions& ray) {
-    Graph& graph = ray.origin.x.graph();
-    const ObjectVector& offset = ray.lens->offset;
-    const Expr vergence = ray.lens->vergence;
-    const ObjectVector direction = through_lens(ray).direction;
-    const ObjectVector turn = vergence * offset;
-    const Expr scale = 1.0 / sqrt(1.0 + dot(turn, turn));
-    const auto turned = [&](const ObjectVector& central, Expr by) {
-        const ObjectVector slope = central + -(expr::differentiate(vergence, by) * offset);
-        return scale * without_part_along(direction, slope);
+    const auto& [o, d, inverse_length, valid] = ray.lens->ray;
+    Graph& graph = o.x.graph();
+    const Slopes slopes = slopes_by_picture({ray.parameters.u, ray.parameters.v},
+                                            std::array{o.x, o.y, o.z, d.x, d.y, d.z}, graph);
+    std::vector<Expr> values{inverse_length, d.x, d.y, d.z};
+    values.insert(values.end(), slopes.by_x.begin(), slopes.by_x.end());
+    values.insert(values.end(), slopes.by_y.begin(), slopes.by_y.end());
+    values = expr::substitute(graph, values, ray.lens->fixed);
+    const Expr scale = values[0];
+    const ObjectVector unit = scale * vector_at(values, 1);
+    const auto turned = [&](const ObjectVector& by) {
+        return scale * without_part_along(unit, by);
     };
-    RayFootprint slopes = footprint(ray);
-    slopes.direction_by_x = turned(slopes.direction_by_x, graph.picture_x());
-    slopes.direction_by_y = turned(slopes.direction_by_y, graph.picture_y());
-    return slopes;
+    return {vector_at(values, 4), vector_at(values, 10), turned(vector_at(values, 7)),
+            turned(vector_at(values, 13))};
 }
 
 // ---------------------------------------------------------------------------------------- turn
@@ -259,7 +316,8 @@ RayExpressions turned(const RayExpressions& ray, const Turn& turn, Axes axes, co
     made.origin = center + about_vertical(ray.origin - center);
     made.direction = about_vertical(ray.direction);
     if (ray.lens) {
-        made.lens->offset = about_vertical(ray.lens->offset);
+        made.lens->ray.origin = center + about_vertical(ray.lens->ray.origin - center);
+        made.lens->ray.direction = about_vertical(ray.lens->ray.direction);
     }
     return made;
 }

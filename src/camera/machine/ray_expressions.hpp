@@ -34,9 +34,9 @@ namespace balcony::camera {
                                          const ObjectVector& up, const PicturePoint& picture,
                                          Emitter& emit);
 
-/// The lens around a ray of the camera's own picture.
-[[nodiscard]] LensExpressions lens_around(const RayExpressions& ray, const Lens& lens,
-                                          const PicturePoint& picture, Emitter& emit);
+/// A ray of the camera's own picture with a lens.
+[[nodiscard]] RayExpressions with_lens(const RayExpressions& ray, const Lens& lens,
+                                       const PicturePoint& picture, Emitter& emit);
 
 /// A ray of a camera with these axes, turned with its lens.
 [[nodiscard]] RayExpressions turned(const RayExpressions& ray, const Turn& turn, Axes axes,

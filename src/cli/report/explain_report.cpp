@@ -172,10 +172,13 @@ public:
         add(prefix + "direction_z", ray.direction.z);
         add(prefix + "valid", ray.valid);
         if (ray.lens) {
-            add(prefix + "lens_offset_x", ray.lens->offset.x);
-            add(prefix + "lens_offset_y", ray.lens->offset.y);
-            add(prefix + "lens_offset_z", ray.lens->offset.z);
-            add(prefix + "vergence", ray.lens->vergence);
+            const camera::RayExpressions through = camera::through_lens(ray);
+            add(prefix + "lens_origin_x", through.origin.x);
+            add(prefix + "lens_origin_y", through.origin.y);
+            add(prefix + "lens_origin_z", through.origin.z);
+            add(prefix + "lens_direction_x", through.direction.x);
+            add(prefix + "lens_direction_y", through.direction.y);
+            add(prefix + "lens_direction_z", through.direction.z);
         }
         if (ray.time) {
             add(prefix + "time", *ray.time);
