@@ -125,6 +125,8 @@ struct CalibrationFile {
     std::vector<Calibration> cameras{};
 };
 
+struct Prescription;  // prescription.hpp
+
 // ---------------------------------------------------------------------- parameters of stages
 // What a parameter takes is one of the types that follow. Without a default value it must be given,
 // unless it is optional.
@@ -215,10 +217,13 @@ struct MapParameter {
 /// A CalibrationFile: "calibration.yml".
 struct CalibrationParameter {};
 
-using ParameterType =
-    std::variant<NumberParameter, CountParameter, PairParameter, TripleParameter, ChoiceParameter,
-                 PointsParameter, NestedStageParameter, FormulaParameter, NameParameter,
-                 ImageParameter, MeshParameter, MapParameter, CalibrationParameter>;
+/// A Prescription without errors: "dgauss.dat".
+struct PrescriptionParameter {};
+
+using ParameterType = std::variant<NumberParameter, CountParameter, PairParameter, TripleParameter,
+                                   ChoiceParameter, PointsParameter, NestedStageParameter,
+                                   FormulaParameter, NameParameter, ImageParameter, MeshParameter,
+                                   MapParameter, CalibrationParameter, PrescriptionParameter>;
 
 struct StageParameter {
     std::string_view name;
@@ -237,10 +242,11 @@ struct StageParameter {
 class Arguments {
 public:
     using StagePointer = std::shared_ptr<const Stage>;
-    using Value = std::variant<std::vector<Scalar>, std::string, PointList, StagePointer,
-                               std::vector<StagePointer>, Formula, std::shared_ptr<const GreyImage>,
-                               std::shared_ptr<const TexturedMesh>, std::shared_ptr<const PixelMap>,
-                               std::shared_ptr<const CalibrationFile>>;
+    using Value =
+        std::variant<std::vector<Scalar>, std::string, PointList, StagePointer,
+                     std::vector<StagePointer>, Formula, std::shared_ptr<const GreyImage>,
+                     std::shared_ptr<const TexturedMesh>, std::shared_ptr<const PixelMap>,
+                     std::shared_ptr<const CalibrationFile>, std::shared_ptr<const Prescription>>;
 
     /// Replaces an earlier value; the name must outlive this object, as a row's does.
     void set(std::string_view name, Value value);
@@ -272,7 +278,7 @@ public:
         return cast;
     }
     [[nodiscard]] const Formula& formula(std::string_view name) const;
-    /// A GreyImage, a TexturedMesh, a PixelMap or a CalibrationFile.
+    /// A GreyImage, a TexturedMesh, a PixelMap, a CalibrationFile or a Prescription.
     template <class Data>
     [[nodiscard]] const std::shared_ptr<const Data>& file(std::string_view name) const {
         return std::get<std::shared_ptr<const Data>>(value(name));

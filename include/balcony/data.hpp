@@ -3,7 +3,7 @@
 #pragma once
 
 // Data: files that a camera file names in quotation marks: tables of numbers, grey images, meshes,
-// maps of rays and of picture positions, calibrated cameras.
+// maps of rays and of picture positions, calibrated cameras, lenses.
 //
 // Limits prevent a wrong file from filling the memory; a file beyond a limit is an error.
 
@@ -23,6 +23,7 @@
 #include "balcony/base.hpp"
 #include "balcony/catalogue.hpp"
 #include "balcony/npy.hpp"
+#include "balcony/prescription.hpp"
 
 namespace balcony::data {
 
@@ -32,6 +33,7 @@ inline constexpr std::size_t max_pixels = 16'777'216;       ///< Of an image.
 inline constexpr std::size_t max_map_file = 1'500'000'000;  ///< Bytes.
 inline constexpr std::size_t max_mesh_file = 500'000'000;   ///< Bytes.
 inline constexpr std::size_t max_calibration = 4'000'000;   ///< Bytes.
+inline constexpr std::size_t max_prescription = 1'000'000;  ///< Bytes.
 inline constexpr std::size_t max_triangles = 5'000'000;     ///< Of a mesh.
 
 /// A file on the disk, or one whose bytes are in memory: one that comes with Balcony, or what was
@@ -136,6 +138,11 @@ private:
 /// COLMAP's cameras.txt. The text decides which it is. Missing, unreadable and impossible entries
 /// are errors at their line.
 [[nodiscard]] Result<std::shared_ptr<const camera::CalibrationFile>> read_calibration(
+    const File& file);
+
+/// Reads a lens of glass: Zemax's sequential .zmx, or a table of surfaces as pbrt's .dat, which
+/// docs/lenses.md describes. What camera::check() finds is an error at its line.
+[[nodiscard]] Result<std::shared_ptr<const camera::Prescription>> read_prescription(
     const File& file);
 
 }  // namespace balcony::data

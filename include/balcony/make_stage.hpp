@@ -37,10 +37,11 @@ struct Failed {};
 /// A value for a parameter before it is checked. A text is a choice, a name, or an axis: "z", "-x".
 struct ArgumentValue {
     using Stages = std::vector<std::shared_ptr<const Stage>>;
-    using Form = std::variant<Scalar, Tuple, Points, std::string, std::shared_ptr<const Stage>,
-                              Stages, Formula, std::shared_ptr<const GreyImage>,
-                              std::shared_ptr<const TexturedMesh>, std::shared_ptr<const PixelMap>,
-                              std::shared_ptr<const CalibrationFile>, Unsuitable, Failed>;
+    using Form =
+        std::variant<Scalar, Tuple, Points, std::string, std::shared_ptr<const Stage>, Stages,
+                     Formula, std::shared_ptr<const GreyImage>, std::shared_ptr<const TexturedMesh>,
+                     std::shared_ptr<const PixelMap>, std::shared_ptr<const CalibrationFile>,
+                     std::shared_ptr<const Prescription>, Unsuitable, Failed>;
 
     template <class Value>
     requires(!std::same_as<std::remove_cvref_t<Value>, ArgumentValue> &&

@@ -3,6 +3,8 @@
 
 #include "support.hpp"
 
+#include "balcony/prescription.hpp"
+
 namespace balcony::camera {
 
 double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -89,6 +91,16 @@ std::shared_ptr<const CalibrationFile> some_calibration() {
           .pose = CameraPose{{{{0.0, -1.0, 0.0}, {0.0, 0.0, -1.0}, {1.0, 0.0, 0.0}}}, {}}}}});
 }
 
+// A biconvex lens behind its stop.
+std::shared_ptr<const Prescription> some_lens() {
+    const Medium glass{"glass", Medium::Dispersion::none, {1.5}};
+    return std::make_shared<const Prescription>(
+        Prescription{"some.dat",
+                     {{.radius = 3.0, .stop = true, .gap = 1.0},
+                      {.curvature = 0.02, .radius = 10.0, .gap = 4.0, .behind = glass},
+                      {.curvature = -0.02, .radius = 10.0}}});
+}
+
 // Curved in every parameter, and of full rank.
 Formula some_formula(const FormulaShape& shape) {
     return formula(shape.parameters, [&](Graph& graph, const std::vector<Expr>& p) {
@@ -151,6 +163,7 @@ struct SomeValue {
     Arguments::Value operator()(const MeshParameter&) const { return some_mesh(); }
     Arguments::Value operator()(const MapParameter& type) const { return some_map(type); }
     Arguments::Value operator()(const CalibrationParameter&) const { return some_calibration(); }
+    Arguments::Value operator()(const PrescriptionParameter&) const { return some_lens(); }
 };
 
 /// Calibrated cameras and maps as direction objects, whose points have tangents. OCamCalib's

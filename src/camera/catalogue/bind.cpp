@@ -42,6 +42,9 @@ std::string described(const ArgumentValue& given) {
         std::string operator()(const std::shared_ptr<const CalibrationFile>&) const {
             return "a calibration";
         }
+        std::string operator()(const std::shared_ptr<const Prescription>&) const {
+            return "a prescription of a lens";
+        }
         std::string operator()(const Unsuitable& other) const { return other.what; }
         std::string operator()(const Failed&) const { return {}; }
     };
@@ -325,6 +328,10 @@ bool Binder::fits(const PixelMap& map, std::size_t channels) {
 
 void Binder::set(const CalibrationParameter&) {
     set_file<CalibrationFile>("a calibration", "calibration.yml");
+}
+
+void Binder::set(const PrescriptionParameter&) {
+    set_file<Prescription>("a prescription of a lens", "dgauss.dat");
 }
 
 Scalar degrees(double number) { return {number * (std::numbers::pi / 180.0), Unit::angle}; }

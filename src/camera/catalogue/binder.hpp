@@ -85,6 +85,7 @@ private:
     void set(const MapParameter& type);
     [[nodiscard]] static bool fits(const PixelMap& map, std::size_t channels);
     void set(const CalibrationParameter&);
+    void set(const PrescriptionParameter&);
     template <class Data>
     void set_file(std::string_view noun, std::string_view example);
 

@@ -99,6 +99,7 @@ StageResult as_stage(Result<std::shared_ptr<const Port>> made) {
 [[nodiscard]] std::vector<StageEntry> blended_rule();
 [[nodiscard]] std::vector<StageEntry> stereo_views();
 [[nodiscard]] std::vector<StageEntry> lenses();
+[[nodiscard]] std::vector<StageEntry> prescribed_lenses();
 [[nodiscard]] std::vector<StageEntry> focus_surfaces();
 
 /// A family's rows, and what they need not say one by one.
@@ -151,6 +152,7 @@ inline constexpr std::array families = {
     Family{blended_rule, StageKind::direction_rule},
     Family{stereo_views, StageKind::stereo_view},
     Family{lenses, StageKind::lens},
+    Family{prescribed_lenses, StageKind::lens},
     Family{focus_surfaces, StageKind::focus},
     Family{complex_maps, StageKind::parameter_transformer},
     Family{coins, StageKind::object_transformer},

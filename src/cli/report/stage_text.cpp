@@ -92,6 +92,7 @@ struct TypeText {
     std::string operator()(const camera::CalibrationParameter&) const {
         return "\"calibration.yml\"";
     }
+    std::string operator()(const camera::PrescriptionParameter&) const { return "\"lens.dat\""; }
 };
 
 struct DefaultText {

@@ -70,6 +70,9 @@ StageBuilder::Located StageBuilder::value(const camera::StageParameter& paramete
         [&](const camera::CalibrationParameter&) {
             return contents<data::read_calibration>(first);
         },
+        [&](const camera::PrescriptionParameter&) {
+            return contents<data::read_prescription>(first);
+        },
     };
     return std::visit(reader, parameter.type);
 }

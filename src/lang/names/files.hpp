@@ -74,7 +74,7 @@ private:
     std::map<std::pair<std::string, Folder>, Result<data::File>> found_;
     std::tuple<ByName<data::read_table>, ByName<data::read_grey_image>, ByName<data::read_mesh>,
                ByName<data::read_ray_map>, ByName<data::read_st_map>,
-               ByName<data::read_calibration>>
+               ByName<data::read_calibration>, ByName<data::read_prescription>>
         contents_;
 };
 

@@ -114,7 +114,7 @@ Statement StatementParser::statement(Block block) {
         tokens_.next();
     } else {
         made.kind = row->kind;
-        if (row->shape != Shape::call) {
+        if (row->shape != Shape::call || names_stage(*row)) {
             tokens_.next();
         }
         made.broken = !body(*row, made);
@@ -454,6 +454,13 @@ std::optional<ExpressionId> StatementParser::stage(const StatementRow& row) {
     }
     return row.shape == Shape::rule ? expressions_.stage_with_words(row.expected)
                                     : expressions_.stage(row.expected);
+}
+
+// lens table("dgauss.dat"): a stage with a name other than the keyword.
+bool StatementParser::names_stage(const StatementRow& row) const {
+    const Token& name = tokens_.peek(1);
+    return row.stage_kind && name.kind == TokenKind::name && keyword_at(name) == nullptr &&
+           tokens_.peek(2).is("(");
 }
 
 // A stage with the name of a keyword needs parentheses.

@@ -68,6 +68,7 @@ private:
     [[nodiscard]] bool stages(const StatementRow& row, Statement& made);
     [[nodiscard]] std::optional<std::string> bare_formula_remedy(const StatementRow& row) const;
     [[nodiscard]] std::optional<ExpressionId> stage(const StatementRow& row);
+    [[nodiscard]] bool names_stage(const StatementRow& row) const;
     [[nodiscard]] bool morph(const StatementRow& row, Statement& made);
     [[nodiscard]] bool layer(const StatementRow& row, Statement& made);
     [[nodiscard]] bool opens_next_statement() const;

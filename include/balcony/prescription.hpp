@@ -1,0 +1,99 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Prescriptions: lenses of glass, surface by surface from the scene to the sensor, and their
+// paraxial optics. Lengths are in millimetres, wavelengths in micrometres.
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "balcony/base.hpp"
+
+namespace balcony::camera {
+
+/// Wavelengths of the lines that indices of glass are given for.
+inline constexpr double line_d = 0.5875618;
+inline constexpr double line_F = 0.4861327;
+inline constexpr double line_C = 0.6562725;
+
+/// What is between two surfaces, by its refractive index n at the wavelength w.
+struct Medium {
+    enum class Dispersion : std::uint8_t {
+        none,       ///< n = c0
+        cauchy,     ///< n = c0 + c1/w² + c2/w⁴
+        schott,     ///< n² = c0 + c1 w² + c2/w² + c3/w⁴ + c4/w⁶ + c5/w⁸
+        sellmeier,  ///< n² = 1 + c0 w²/(w² - c3) + c1 w²/(w² - c4) + c2 w²/(w² - c5)
+    };
+
+    std::string name{};  ///< For messages.
+    Dispersion dispersion = Dispersion::none;
+    std::array<double, 6> coefficients{1.0};
+
+    [[nodiscard]] double index(double wavelength) const;
+    /// Cauchy's formula with two terms that has this index at d and this Abbe number,
+    /// (n_d - 1)/(n_F - n_C).
+    [[nodiscard]] static Medium by_abbe_number(double index, double abbe_number);
+};
+
+/// A glass that Balcony knows, in letters of any case; null if it knows none of this name.
+[[nodiscard]] const Medium* find_glass(std::string_view name);
+[[nodiscard]] std::vector<std::string> glass_names();
+
+/// A surface of revolution around the axis of the lens, or a plane with a hole, the stop. At the
+/// distance h from the axis it is h² c/(1 + √(1 - (1 + k) c² h²)) + a4 h⁴ + a6 h⁶ + ... nearer to
+/// the sensor than on the axis.
+struct LensSurface {
+    double curvature = 0.0;  ///< c: positive if the centre of curvature is on the sensor's side.
+    double conic = 0.0;      ///< k: 0 is a sphere.
+    std::array<double, 5> aspheric{};  ///< a4, a6, a8, a10, a12.
+    double radius = 0.0;               ///< Of the hole through which light passes.
+    bool stop = false;                 ///< Of the surfaces, one is the stop.
+    double gap = 0.0;                  ///< To the next surface along the axis.
+    Medium behind{};                   ///< As far as the next surface.
+    SourceSpan written{};              ///< Where a file has it.
+
+    /// Whether it has terms of h⁴ or more.
+    [[nodiscard]] bool is_aspheric() const;
+    /// The formula above, in any number type; not a number where the surface ends.
+    [[nodiscard]] double sag(double h) const;
+};
+
+/// A lens in air.
+struct Prescription {
+    std::string name;                     ///< For messages.
+    std::vector<LensSurface> surfaces{};  ///< From the scene to the sensor, at least one.
+
+    [[nodiscard]] std::size_t stop() const;  ///< The index of the stop.
+};
+
+/// What makes it no lens, at the surfaces' places in the file: none or several stops, numbers that
+/// are not finite, a surface that ends before its hole does, surfaces that cross, a stop that lets
+/// nothing through, no real image of what is far away.
+[[nodiscard]] Diagnostics check(const Prescription& lens);
+
+/// The optics of rays near the axis. Positions are along the axis towards the sensor.
+struct ParaxialLens {
+    double focal_length = 0.0;
+    double front_focus = 0.0;      ///< From the first surface: negative in front of it.
+    double back_focus = 0.0;       ///< From the last surface.
+    double front_principal = 0.0;  ///< From the first surface.
+    double back_principal = 0.0;   ///< From the last surface.
+    double entrance_pupil = 0.0;   ///< From the first surface.
+    double entrance_radius = 0.0;
+    double exit_pupil = 0.0;  ///< From the last surface.
+    double exit_radius = 0.0;
+
+    /// Of the stop as wide as it is.
+    [[nodiscard]] double f_number() const { return 0.5 * focal_length / entrance_radius; }
+};
+
+/// Of a lens that check() finds nothing wrong with.
+[[nodiscard]] ParaxialLens paraxial(const Prescription& lens, double wavelength = line_d);
+
+}  // namespace balcony::camera

@@ -1,0 +1,487 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// Lenses of glass: their rays are those that a tracer written here from the textbook finds the
+// other way, from the scene to the sensor; and vignetting is the area of the directions that pass.
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "balcony/data.hpp"
+#include "balcony/make_stage.hpp"
+#include "balcony/prescription.hpp"
+#include "support.hpp"
+
+namespace balcony::rays::test::prescribed_lens_test {
+namespace {
+
+using camera::LensSurface;
+using camera::ParaxialLens;
+using camera::Prescription;
+using std::numbers::pi;
+
+constexpr double pixels = 400.0;  // The width and height of the picture.
+
+Prescription read(const std::string& name) {
+    const auto file = data::find_file(name, std::nullopt);
+    EXPECT_TRUE(file) << to_text(file.diagnostics);
+    const auto lens = data::read_prescription(*file);
+    EXPECT_TRUE(lens) << to_text(lens.diagnostics);
+    return **lens;
+}
+
+/// A camera that looks along x, with x to the right of its picture as -y. The unit is 1 mm.
+std::string camera_text(const std::string& lens, const std::string& more = "") {
+    return "camera a { aspect 1  map u = 0.36 .. -0.36, v = square  eye point  toward plane((1, 0, "
+           "0))  lens table(\"" +
+           lens + "\", unit = 1" + more + ") }";
+}
+
+/// The rays of a camera at points of its picture and of its lens.
+class LensRaysAt {
+public:
+    explicit LensRaysAt(const std::string& text) : LensRaysAt(camera_of(text)) {}
+    explicit LensRaysAt(const camera::Camera& camera)
+        : lens_(compiled(camera, {{std::string(camera::lens_input_x), program::Rate::pixel},
+                                  {std::string(camera::lens_input_y), program::Rate::pixel}})),
+          central_(compiled(camera, {})) {}
+
+    [[nodiscard]] Ray operator()(const V2d& point, const V2d& lens) const {
+        const std::array<std::span<const double>, 2> inputs{std::span(&lens.x, 1),
+                                                            std::span(&lens.y, 1)};
+        return run(lens_, point, inputs);
+    }
+    [[nodiscard]] Ray central(const V2d& point) const { return run(central_, point, {}); }
+
+private:
+    static RayProgram compiled(const camera::Camera& camera, std::vector<Input> inputs) {
+        auto made = compile(camera, pixels, pixels,
+                            {.footprints = true, .points = true, .inputs = std::move(inputs)});
+        EXPECT_TRUE(made) << to_text(made.diagnostics);
+        return *made;
+    }
+    static Ray run(const RayProgram& program, const V2d& point, program::InputValues inputs) {
+        Scratch scratch;
+        RayBatch batch;
+        program.run(Points{std::span(&point.x, 1), std::span(&point.y, 1), 0.0, inputs}, scratch,
+                    batch);
+        return batch[0];
+    }
+
+    RayProgram lens_, central_;
+};
+
+// ----------------------------------------------------------------- a tracer from the textbook
+// Points are (distance behind the first surface, y, z), and light runs towards the sensor.
+
+struct Line {
+    V3d point, direction;
+};
+
+/// Where a line crosses a sphere next to its vertex, by its centre; a plane has radius 0.
+std::optional<V3d> crossing(const Line& line, double vertex, double radius) {
+    if (radius == 0.0) {
+        return line.point + (vertex - line.point.x) / line.direction.x * line.direction;
+    }
+    const V3d from_center = line.point - V3d(vertex + radius, 0.0, 0.0);
+    const double b = from_center.dot(line.direction);
+    const double square = b * b - from_center.dot(from_center) + radius * radius;
+    if (square < 0.0) {
+        return std::nullopt;
+    }
+    std::optional<V3d> nearest;
+    for (const double root : {-std::sqrt(square), std::sqrt(square)}) {
+        const V3d at = line.point + (root - b) * line.direction;
+        if (!nearest || std::abs(at.x - vertex) < std::abs(nearest->x - vertex)) {
+            nearest = at;
+        }
+    }
+    return nearest;
+}
+
+/// Snell's law by angles, in the plane of the ray and the normal.
+std::optional<V3d> bent(const V3d& d, V3d normal, double n, double n_after) {
+    if (normal.dot(d) < 0.0) {
+        normal = -normal;
+    }
+    const V3d across = d - d.dot(normal) * normal;
+    const double sine = across.length();
+    const double sine_after = sine * n / n_after;
+    if (sine_after >= 1.0) {
+        return std::nullopt;
+    }
+    const V3d side = sine > 0.0 ? across / sine : V3d(0.0);
+    return std::cos(std::asin(sine_after)) * normal + sine_after * side;
+}
+
+/// Light of the scene through all surfaces; none if it does not get through.
+std::optional<Line> through(const Prescription& lens, Line line, double wavelength,
+                            double stop_scale = 1.0) {
+    double vertex = 0.0;
+    double n = 1.0;
+    for (const LensSurface& s : lens.surfaces) {
+        const double radius = s.curvature == 0.0 ? 0.0 : 1.0 / s.curvature;
+        const auto at = crossing(line, vertex, radius);
+        if (!at || std::hypot(at->y, at->z) > s.radius * (s.stop ? stop_scale : 1.0)) {
+            return std::nullopt;
+        }
+        const V3d normal = radius == 0.0 ? V3d(1.0, 0.0, 0.0)
+                                         : (*at - V3d(vertex + radius, 0.0, 0.0)) / radius;
+        const double n_after = s.behind.index(wavelength);
+        const auto direction = bent(line.direction, normal, n, n_after);
+        if (!direction) {
+            return std::nullopt;
+        }
+        line = {*at, *direction};
+        n = n_after;
+        vertex += s.gap;
+    }
+    return line;
+}
+
+double length_of(const Prescription& lens) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i + 1 < lens.surfaces.size(); ++i) {
+        sum += lens.surfaces[i].gap;
+    }
+    return sum;
+}
+
+/// The light of a camera's ray, reversed, on a plane at a distance behind the last surface.
+std::optional<V2d> on_sensor(const Prescription& lens, const Ray& ray, double behind,
+                             double wavelength, double stop_scale = 1.0) {
+    const ParaxialLens near_axis = camera::paraxial(lens);
+    // From the camera's axes, x forwards, with the entrance pupil at the origin.
+    const Line line{{near_axis.entrance_pupil - ray.origin.x, ray.origin.y, ray.origin.z},
+                    {ray.direction.x, -ray.direction.y, -ray.direction.z}};
+    const auto out = through(lens, line, wavelength, stop_scale);
+    if (!out) {
+        return std::nullopt;
+    }
+    const double plane = length_of(lens) + behind;
+    const V3d at = out->point + (plane - out->point.x) / out->direction.x * out->direction;
+    return V2d(at.y, at.z);
+}
+
+/// Where the point of the picture is on the sensor, in the camera's y and z.
+V2d sensor_point(const ParaxialLens& near_axis, const V2d& point) {
+    const double f = near_axis.focal_length;
+    return {-f * 0.36 * (1.0 - 2.0 * point.x / pixels), f * 0.36 * (2.0 * point.y / pixels - 1.0)};
+}
+
+template <class Check>
+void at_points(const Check& check) {
+    for (const double x : {200.0, 120.0, 30.0, 310.0}) {
+        for (const double y : {200.0, 90.0, 333.0}) {
+            check(V2d(x, y));
+        }
+    }
+}
+
+template <class Check>
+void at_lens(const Check& check) {
+    for (double x = -0.9; x < 1.0; x += 0.45) {
+        for (double y = -0.85; y < 1.0; y += 0.34) {
+            check(V2d(x, y));
+        }
+    }
+}
+
+}  // namespace
+
+// The sensor is where the paraxial image is; 1e-9 mm is rounding over a dozen surfaces.
+TEST(PrescribedLens, RaysArriveOnTheSensorTheOtherWay) {
+    const Prescription lens = read("dgauss.dat");
+    const ParaxialLens near_axis = camera::paraxial(lens);
+    const LensRaysAt rays(camera_text("dgauss.dat", ", focus = 1e12"));
+    int passed = 0;
+    at_points([&](const V2d& point) {
+        const V2d wanted = sensor_point(near_axis, point);
+        at_lens([&](const V2d& at) {
+            const Ray ray = rays(point, at);
+            const auto found = on_sensor(lens, ray, near_axis.back_focus, camera::line_d);
+            if (ray.valid) {
+                ++passed;
+                ASSERT_TRUE(found) << point;
+                EXPECT_LT((*found - wanted).length(), 1e-8) << point << at;
+                EXPECT_NEAR(ray.direction.length(), 1.0, 1e-13);
+            }
+        });
+    });
+    EXPECT_GT(passed, 150);
+}
+
+// Without a point of the lens, a camera has the ray through the middle of the pupil.
+TEST(PrescribedLens, HasACentralRayWithTheDistortionOfTheLens) {
+    const Prescription lens = read("dgauss.dat");
+    const ParaxialLens near_axis = camera::paraxial(lens);
+    const LensRaysAt rays(camera_text("dgauss.dat", ", focus = 1e12"));
+    at_points([&](const V2d& point) {
+        const Ray ray = rays.central(point);
+        ASSERT_TRUE(ray.valid);
+        EXPECT_LT((ray.direction - rays(point, {0.0, 0.0}).direction).length(), 1e-14);
+        const auto found = on_sensor(lens, ray, near_axis.back_focus, camera::line_d);
+        ASSERT_TRUE(found);
+        EXPECT_LT((*found - sensor_point(near_axis, point)).length(), 1e-8);
+    });
+    // Near the axis it is that of the pinhole, whose pictures have no distortion; the chief ray
+    // deviates from the pinhole's by the cube of the angle.
+    const Ray near = rays.central({202.0, 200.0});
+    EXPECT_NEAR(near.direction.y / near.direction.x, -0.36 / 100.0, 1e-6);
+    // At the edge it does not: a fraction of a per cent.
+    const Ray edge = rays.central({380.0, 200.0});
+    const double distortion = -edge.direction.y / edge.direction.x / (0.36 * 0.9) - 1.0;
+    EXPECT_GT(std::abs(distortion), 1e-3);
+    EXPECT_LT(std::abs(distortion), 3e-2);
+}
+
+// Rays near the axis of one point meet at the distance that is in focus, measured from the entrance
+// pupil. What spherical aberration adds is proportional to the square of the pupil.
+TEST(PrescribedLens, IsFocusedByTheSensorOrByAGroup) {
+    for (const char* how : {"", ", group = (1, 11)", ", group = (1, 5)", ", group = (7, 11)"}) {
+        const LensRaysAt rays(camera_text("dgauss.dat", fmt::format(", focus = 800{}", how)));
+        const auto miss = [&](double pupil) {
+            const Ray up = rays({200.0, 200.0}, {0.0, pupil});
+            EXPECT_TRUE(up.valid) << how;
+            return up.origin.x - up.origin.z / up.direction.z * up.direction.x - 800.0;
+        };
+        EXPECT_LT(std::abs(miss(0.2)), 80.0) << how;
+        EXPECT_NEAR(miss(0.02) / miss(0.2), 0.01, 0.002) << how;
+    }
+}
+
+// The part of the square of lens samples that passes is proportional to the light on the sensor:
+// the integral of cos θ over the solid angle of what passes, by the other tracer.
+TEST(PrescribedLens, HasExactVignetting) {
+    const Prescription lens = read("dgauss.dat");
+    const ParaxialLens near_axis = camera::paraxial(lens);
+    const LensRaysAt rays(camera_text("dgauss.dat", ", focus = 1e12"));
+    constexpr int side = 100;
+    const auto by_samples = [&](const V2d& point) {
+        int passed = 0;
+        for (int i = 0; i < side * side; ++i) {
+            const V2d at((i % side + 0.5) / side * 2.0 - 1.0, (i / side + 0.5) / side * 2.0 - 1.0);
+            passed += rays(point, at).valid ? 1 : 0;
+        }
+        return static_cast<double>(passed) / (side * side);
+    };
+    // Light from the scene, uniform in position and in the sines of its directions at the first
+    // plane: as many rays arrive at a patch of the sensor as dA cos θ dω is there, which a lens
+    // conserves.
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+    const double hole = 12.6;
+    const double half = 0.45;  // Of the sines of the directions.
+    const double patch = 0.8;  // mm, half the side of a square on the sensor.
+    const std::array points{V2d(200.0, 200.0), V2d(60.0, 200.0), V2d(20.0, 20.0)};
+    std::array<int, 3> arrived{};
+    for (int i = 0; i < 4'000'000; ++i) {
+        const double a = half * uniform(random);
+        const double b = half * uniform(random);
+        const Line line{{0.0, hole * uniform(random), hole * uniform(random)},
+                        {std::sqrt(1.0 - a * a - b * b), a, b}};
+        const auto out = through(lens, line, camera::line_d);
+        if (!out) {
+            continue;
+        }
+        const V3d at = out->point + (length_of(lens) + near_axis.back_focus - out->point.x) /
+                                        out->direction.x * out->direction;
+        for (std::size_t k = 0; k < points.size(); ++k) {
+            const V2d wanted = sensor_point(near_axis, points[k]);
+            arrived[k] += std::abs(at.y - wanted.x) < patch && std::abs(at.z - wanted.y) < patch;
+        }
+    }
+    const double middle = by_samples(points[0]);
+    EXPECT_GT(middle, 0.95);
+    for (std::size_t k = 1; k < points.size(); ++k) {
+        const double wanted = static_cast<double>(arrived[k]) / arrived[0];
+        // Four standard deviations of both counts, and 1 % for the size of the patch.
+        const double deviation = 4.0 * wanted * std::sqrt(1.0 / arrived[k] + 1.0 / arrived[0]);
+        EXPECT_NEAR(by_samples(points[k]) / middle, wanted, deviation + 0.01) << k;
+        EXPECT_LT(wanted, 0.85) << k;
+    }
+}
+
+TEST(PrescribedLens, NarrowsItsStop) {
+    const Prescription lens = read("dgauss.dat");
+    const ParaxialLens near_axis = camera::paraxial(lens);
+    const double scale = near_axis.f_number() / 8.0;
+    const LensRaysAt rays(camera_text("dgauss.dat", ", focus = 1e12, f_number = 8"));
+    int passed = 0;
+    at_points([&](const V2d& point) {
+        at_lens([&](const V2d& at) {
+            const Ray ray = rays(point, at);
+            if (ray.valid) {
+                ++passed;
+                EXPECT_TRUE(on_sensor(lens, ray, near_axis.back_focus, camera::line_d, scale));
+            }
+        });
+    });
+    EXPECT_GT(passed, 200);
+    // The rim of the entrance pupil, which is at the origin of the camera.
+    const Ray rim = rays({200.0, 200.0}, {0.0, 0.97});
+    ASSERT_TRUE(rim.valid);
+    EXPECT_NEAR(rim.origin.z, 0.97 * near_axis.focal_length / 16.0, 0.05);
+}
+
+TEST(PrescribedLens, HasBlades) {
+    const LensRaysAt round(camera_text("dgauss.dat", ", focus = 1e12"));
+    const LensRaysAt square(camera_text("dgauss.dat", ", focus = 1e12, blades = 4"));
+    const V2d middle(200.0, 200.0);
+    // On the diagonal of the picture, a square with a corner at the top ends at 1/√2.
+    const V2d corner(0.0, 0.97);
+    EXPECT_TRUE(round(middle, corner).valid);
+    EXPECT_TRUE(square(middle, corner).valid);
+    // The concentric map takes the diagonal of the square to that of the disc.
+    for (const double r : {0.6, 0.68, 0.74, 0.9}) {
+        EXPECT_TRUE(round(middle, {r, r}).valid) << r;
+        EXPECT_EQ(square(middle, {r, r}).valid, r < 0.7) << r;
+    }
+}
+
+// The footprint is the exact derivative, by differences of neighbours.
+TEST(PrescribedLens, HasTheExactFootprint) {
+    const LensRaysAt rays(camera_text("dgauss.dat", ", focus = 900"));
+    constexpr double step = 1e-3;
+    at_points([&](const V2d& point) {
+        for (const V2d& at : {V2d(0.0, 0.0), V2d(0.3, -0.4)}) {
+            const Ray ray = rays(point, at);
+            const Ray right = rays(point + V2d(step, 0.0), at);
+            const Ray left = rays(point - V2d(step, 0.0), at);
+            if (!ray.valid || !right.valid || !left.valid) {
+                continue;
+            }
+            // Rounding of 1e-14 over a step, for directions; ten times that for origins.
+            EXPECT_LT((ray.direction_by_x - (right.direction - left.direction) / (2.0 * step))
+                          .length(),
+                      1e-10);
+            EXPECT_LT((ray.origin_by_x - (right.origin - left.origin) / (2.0 * step)).length(),
+                      1e-9);
+        }
+    });
+}
+
+// ------------------------------------------------------------------------ surfaces and glass
+
+camera::StageResult table(const std::vector<camera::NamedValue>& values) {
+    return camera::make_stage(*camera::catalogue().find(camera::StageKind::lens, "table"), values);
+}
+
+/// A camera with a lens that no file has.
+camera::Camera camera_with(const Prescription& lens, std::vector<camera::NamedValue> values) {
+    EXPECT_EQ(to_text(check(lens)), "");
+    values.push_back({"file", std::make_shared<const Prescription>(lens)});
+    values.push_back({"unit", 1.0});
+    camera::Camera::Parts parts =
+        camera_of("camera a { aspect 1  map u = 0.1 .. -0.1, v = square  eye point  toward "
+                  "plane((1, 0, 0)) }")
+            .parts();
+    const auto made = table(values);
+    EXPECT_TRUE(made) << to_text(made.diagnostics);
+    parts.lens = std::static_pointer_cast<const camera::Lens>(*made);
+    auto camera = camera::Camera::make(std::move(parts));
+    EXPECT_TRUE(camera) << to_text(camera.diagnostics);
+    return *camera;
+}
+
+/// A plane in front, and behind it a surface that a point at the distance f is imaged to infinity
+/// by, exactly: the hyperboloid with the conic constant -n² and the radius (n - 1) f.
+Prescription hyperbolic(double n, double f) {
+    return {"hyperbolic",
+            {{.radius = 0.45 * f,
+              .stop = true,
+              .gap = 0.3 * f,
+              .behind = {"glass", camera::Medium::Dispersion::none, {n}}},
+             {.curvature = -1.0 / ((n - 1.0) * f), .conic = -n * n, .radius = 0.45 * f}}};
+}
+
+// All rays from the middle of the sensor leave along the axis, up to f/1.1.
+TEST(PrescribedLens, HasConics) {
+    const LensRaysAt rays(camera_with(hyperbolic(1.6, 50.0), {{"focus", 1e15}}));
+    at_lens([&](const V2d& at) {
+        const Ray ray = rays({200.0, 200.0}, at);
+        ASSERT_TRUE(ray.valid) << at;
+        EXPECT_NEAR(ray.direction.y, 0.0, 1e-12);
+        EXPECT_NEAR(ray.direction.z, 0.0, 1e-12);
+    });
+    EXPECT_GT(rays({200.0, 200.0}, {0.0, 0.95}).origin.z, 20.0);
+}
+
+// The same surface as a sphere with terms of h⁴ to h¹²: with c the curvature and K = -n² the conic
+// constant, c h²/(1 + √(1 - (1 + K) c² h²)) has the coefficients binomial(1/2, i) (-1)^(i + 1)
+// c^(2i - 1) (1 + K)^(i - 1) of h^(2i), and the sphere those of K = 0. What is left is of h¹⁴.
+TEST(PrescribedLens, HasAspheres) {
+    const double n = 1.6;
+    Prescription lens = hyperbolic(n, 50.0);
+    LensSurface& s = lens.surfaces.back();
+    s.conic = 0.0;
+    s.radius = lens.surfaces.front().radius = 6.0;
+    double binomial = 0.5;
+    for (int i = 2; i <= 6; ++i) {
+        binomial *= (0.5 - (i - 1)) / i;
+        const double sign = i % 2 == 0 ? -1.0 : 1.0;
+        s.aspheric[static_cast<std::size_t>(i - 2)] =
+            binomial * sign * std::pow(s.curvature, 2 * i - 1) * (std::pow(1.0 - n * n, i - 1) - 1.0);
+    }
+    const LensRaysAt rays(camera_with(lens, {{"focus", 1e15}}));
+    const LensRaysAt exact(camera_with(hyperbolic(n, 50.0), {{"focus", 1e15}}));
+    at_lens([&](const V2d& at) {
+        const Ray ray = rays({200.0, 200.0}, at);
+        ASSERT_TRUE(ray.valid) << at;
+        // (h/R)¹³ at h = 6 and R = 30 is 8e-10, times (n² - 1)⁶ = 14 and the coefficient 0.02.
+        EXPECT_NEAR(ray.direction.y, 0.0, 1e-9);
+        EXPECT_NEAR(ray.direction.z, 0.0, 1e-9);
+        EXPECT_NEAR(ray.direction.length(), 1.0, 1e-13);
+    });
+    // Off the axis, too, it is the same lens.
+    const Ray a = rays.central({60.0, 90.0});
+    const Ray b = exact.central({60.0, 90.0});
+    EXPECT_LT(a.direction.cross(b.direction).length(), 1e-2);
+}
+
+// The sensor is where the image of the d line is; light of another wavelength meets elsewhere, as
+// the lens equation says of the focal length for it.
+TEST(PrescribedLens, DispersesLight) {
+    const Prescription lens = read("petzval.dat");
+    const ParaxialLens at_d = camera::paraxial(lens);
+    for (const double wavelength : {0.45, 0.7}) {
+        const LensRaysAt rays(camera_text(
+            "petzval.dat", fmt::format(", focus = 1e12, wavelength = {}", 1000.0 * wavelength)));
+        const ParaxialLens there = camera::paraxial(lens, wavelength);
+        const double defocus = at_d.back_focus - there.back_focus;
+        ASSERT_GT(std::abs(defocus), 1e-3);
+        const Ray ray = rays({200.0, 200.0}, {0.0, 0.005});
+        ASSERT_TRUE(ray.valid);
+        // Towards a point at the distance -f²/defocus from the front focus.
+        const double found = ray.origin.x - ray.origin.z / ray.direction.z * ray.direction.x;
+        const double wanted = there.focal_length * there.focal_length / defocus;
+        EXPECT_NEAR(found / wanted, 1.0, 0.02) << wavelength;
+    }
+}
+
+TEST(PrescribedLens, SaysWhatItCannotDo) {
+    const auto fault = [](std::vector<camera::NamedValue> values) {
+        values.push_back({"file", std::make_shared<const Prescription>(hyperbolic(1.6, 50.0))});
+        values.push_back({"focus", 5.0});
+        const auto made = table(values);
+        if (made) {
+            return std::string("none");
+        }
+        EXPECT_FALSE(made.diagnostics.front().remedy.empty());
+        return made.diagnostics.front().message;
+    };
+    EXPECT_EQ(fault({{"f_number", 1.0}}), "f/1 is wider than this lens, which is f/1.11");
+    EXPECT_EQ(fault({{"group", {2.0, 1.0}}}), "there is no group from surface 2 to surface 1");
+    EXPECT_EQ(fault({{"group", {1.0, 3.0}}}), "there is no group from surface 1 to surface 3");
+    EXPECT_EQ(fault({{"blades", 2.0}}), "an aperture cannot have 2 blades");
+    EXPECT_EQ(fault({}), "none");
+}
+
+}  // namespace balcony::rays::test::prescribed_lens_test
