@@ -87,8 +87,7 @@ TEST(ParaxialLens, OfOneThickLensIsThatOfTheTextbook) {
     const double n = 1.6;
     const double d = 5.0;
     const ParaxialLens lens = paraxial(singlet(r1, r2, d, n));
-    const double f =
-        1.0 / ((n - 1.0) * (1.0 / r1 - 1.0 / r2 + (n - 1.0) * d / (n * r1 * r2)));
+    const double f = 1.0 / ((n - 1.0) * (1.0 / r1 - 1.0 / r2 + (n - 1.0) * d / (n * r1 * r2)));
     EXPECT_NEAR(lens.focal_length, f, 1e-11);
     EXPECT_NEAR(lens.front_principal, -f * (n - 1.0) * d / (n * r2), 1e-11);
     EXPECT_NEAR(lens.back_principal, -f * (n - 1.0) * d / (n * r1), 1e-11);
@@ -103,14 +102,14 @@ TEST(ParaxialLens, OfOneThickLensIsThatOfTheTextbook) {
 TEST(ParaxialLens, OfAPublishedTripletHasTheStatedFocalLength) {
     const Medium sk16 = of_index(1.62041);
     const Medium f2 = of_index(1.62004);
-    const ParaxialLens lens = paraxial(
-        {"triplet",
-         {{.curvature = 1.0 / 22.01359, .radius = 9.5, .gap = 3.25896, .behind = sk16},
-          {.curvature = -1.0 / 435.76044, .radius = 9.5, .gap = 6.00755},
-          {.curvature = -1.0 / 22.21328, .radius = 5.0, .gap = 0.99997, .behind = f2},
-          {.curvature = 1.0 / 20.29192, .radius = 5.0, .stop = true, .gap = 4.75041},
-          {.curvature = 1.0 / 79.68360, .radius = 7.5, .gap = 2.95208, .behind = sk16},
-          {.curvature = -1.0 / 18.39533, .radius = 7.5}}});
+    const ParaxialLens lens =
+        paraxial({"triplet",
+                  {{.curvature = 1.0 / 22.01359, .radius = 9.5, .gap = 3.25896, .behind = sk16},
+                   {.curvature = -1.0 / 435.76044, .radius = 9.5, .gap = 6.00755},
+                   {.curvature = -1.0 / 22.21328, .radius = 5.0, .gap = 0.99997, .behind = f2},
+                   {.curvature = 1.0 / 20.29192, .radius = 5.0, .stop = true, .gap = 4.75041},
+                   {.curvature = 1.0 / 79.68360, .radius = 7.5, .gap = 2.95208, .behind = sk16},
+                   {.curvature = -1.0 / 18.39533, .radius = 7.5}}});
     EXPECT_NEAR(lens.focal_length, 50.0, 0.05);
 }
 
@@ -181,8 +180,7 @@ TEST(Prescription, IsCheckedSurfaceBySurface) {
     EXPECT_EQ(with([](Surfaces& s) { s[0].stop = false; }), "'singlet' has no stop");
     EXPECT_EQ(with([](Surfaces& s) { s[1].stop = true; }), "'singlet' has 2 stops");
     EXPECT_EQ(with([](Surfaces& s) { s[0].radius = 0.0; }), "this stop lets nothing through");
-    EXPECT_EQ(with([](Surfaces& s) { s[1].radius = 0.0; }),
-              "no light passes through this surface");
+    EXPECT_EQ(with([](Surfaces& s) { s[1].radius = 0.0; }), "no light passes through this surface");
     EXPECT_EQ(with([](Surfaces& s) { s[0].gap = std::nan(""); }),
               "a number of this surface is not finite");
     EXPECT_EQ(with([](Surfaces& s) { s[0].behind = of_index(0.5); }),
@@ -190,8 +188,7 @@ TEST(Prescription, IsCheckedSurfaceBySurface) {
     EXPECT_EQ(with([](Surfaces& s) { s[0].radius = 21.0; }),
               "this surface ends before its hole does: its radius of curvature is 20 mm, that of "
               "its hole 21 mm");
-    EXPECT_EQ(with([](Surfaces& s) { s[1].behind = of_index(1.5); }),
-              "the last medium is not air");
+    EXPECT_EQ(with([](Surfaces& s) { s[1].behind = of_index(1.5); }), "the last medium is not air");
     EXPECT_EQ(with([](Surfaces& s) { s[0].curvature = -0.1; }),
               "'singlet' has no real image of what is far away");
     EXPECT_EQ(with([](Surfaces& s) { s[0].gap = -1.0; }),

@@ -34,9 +34,9 @@ std::string shown(const std::string& text, const std::string& name = "lens.dat")
     }
     std::string all;
     for (const LensSurface& s : (*lens)->surfaces) {
-        all += fmt::format("{:.6g} {:.6g} {:.6g} {:.6g}{}", s.curvature == 0.0 ? 0.0 : 1.0 / s.curvature,
-                           s.gap, s.behind.index(camera::line_d), 2.0 * s.radius,
-                           s.stop ? " stop" : "");
+        all += fmt::format("{:.6g} {:.6g} {:.6g} {:.6g}{}",
+                           s.curvature == 0.0 ? 0.0 : 1.0 / s.curvature, s.gap,
+                           s.behind.index(camera::line_d), 2.0 * s.radius, s.stop ? " stop" : "");
         if (s.conic != 0.0) {
             all += fmt::format(" conic={:g}", s.conic);
         }

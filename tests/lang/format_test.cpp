@@ -88,6 +88,14 @@ TEST(Format, PutsOneStatementOnALineAndAlignsArguments) {
         "}\n");
 }
 
+// A lens is written as a call, or as a stage of another name behind the word.
+TEST(Format, KnowsBothFormsOfALens) {
+    const std::string text =
+        "camera a {\n    lens(radius = 1, focus = 2)\n}\n\ncamera b {\n"
+        "    lens table(\"dgauss.dat\", focus = 2)\n}\n";
+    EXPECT_EQ(formatted(text), text);
+}
+
 TEST(Format, WritesProductsTightAndSumsWithSpaces) {
     EXPECT_EQ(formatted("let a=1+2 *3 - -4^ 2/ 5\nlet b = !( a<2&&a >=-1 )"),
               "let a = 1 + 2*3 - -4^2/5\nlet b = !(a < 2 && a >= -1)\n");

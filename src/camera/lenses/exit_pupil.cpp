@@ -145,8 +145,7 @@ std::optional<ExitPupil> find_exit_pupil(const LensOptics& lens,
     ExitPupil made;
     for (const double vergence : vergences) {
         const FocusedOptics<double> at = focused(lens, group, vergence);
-        if (!at.valid || !(at.depth() > 0.0) ||
-            !PupilOfPoint(lens, at, 0.0).inside().has_value()) {
+        if (!at.valid || !(at.depth() > 0.0) || !PupilOfPoint(lens, at, 0.0).inside().has_value()) {
             return std::nullopt;
         }
         made.largest_square = std::max(made.largest_square, std::pow(farthest(lens, at), 2));
@@ -168,8 +167,8 @@ std::optional<ExitPupil> find_exit_pupil(const LensOptics& lens,
             const double p = p_at(0.5 * i);
             const double middle = -p * made.middle(p * p);
             for (const Direction& d : PupilOfPoint(lens, at, p).border()) {
-                made.radius = std::max(made.radius,
-                                       margin * at.depth() * std::hypot(d[0] - middle, d[1]));
+                made.radius =
+                    std::max(made.radius, margin * at.depth() * std::hypot(d[0] - middle, d[1]));
             }
         }
     }

@@ -94,8 +94,8 @@ RayMatrix<Number> matrix_of(const LensOptics& lens, const std::vector<Number>& g
 
 template <class Number>
 struct Pupils {
-    Number entrance;  ///< From the first surface towards the sensor.
-    Number exit;      ///< From the last surface towards the sensor.
+    Number entrance;      ///< From the first surface towards the sensor.
+    Number exit;          ///< From the last surface towards the sensor.
     Number exit_by_stop;  ///< The radius of the exit pupil divided by that of the stop.
     Number stop_by_entrance;
 };
@@ -111,8 +111,7 @@ Pupils<Number> pupils_of(const LensOptics& lens, const std::vector<Number>& gaps
         front.a = front.a + reduced * front.c;
         front.b = front.b + reduced * front.d;
     }
-    const RayMatrix<Number> back =
-        matrix_of(lens, gaps, lens.stop, lens.surfaces.size() - 1, zero);
+    const RayMatrix<Number> back = matrix_of(lens, gaps, lens.stop, lens.surfaces.size() - 1, zero);
     return {front.b / front.a, -(back.b / back.d), 1.0 / back.d, front.a};
 }
 
@@ -260,8 +259,8 @@ struct Meeting {
     Truth<Number> exists;
 };
 
-/// From where the ray crosses the plane through the vertex to the conic, in closed form (Spencer and
-/// Murty, "General Ray-Tracing Procedure", 1962); for other surfaces from there by Newton's
+/// From where the ray crosses the plane through the vertex to the conic, in closed form (Spencer
+/// and Murty, "General Ray-Tracing Procedure", 1962); for other surfaces from there by Newton's
 /// iteration.
 template <class Number>
 Meeting<Number> meeting_of(const LensSurface& s, const std::array<Number, 2>& in_plane,
@@ -295,8 +294,7 @@ Meeting<Number> meeting_of(const LensSurface& s, const std::array<Number, 2>& in
         profile = profile_at(s, Number(q[0] * q[0] + q[1] * q[1]));
     }
     const Number off = q[2] - profile.height;
-    const Number length =
-        sqrt(1.0 + profile.slope * profile.slope * (q[0] * q[0] + q[1] * q[1]));
+    const Number length = sqrt(1.0 + profile.slope * profile.slope * (q[0] * q[0] + q[1] * q[1]));
     const std::array<Number, 3> normal{-(profile.slope * q[0]) / length,
                                        -(profile.slope * q[1]) / length, 1.0 / length};
     return {q, normal, dx * normal[0] + dy * normal[1] + dz * normal[2],
@@ -312,8 +310,8 @@ void refract(const RefractingSurface& surface, const Number& vertex, LensPath<Nu
     const std::array<Number, 3> d = ray.direction;
     const Number to_plane = (vertex - ray.point[2]) / d[2];
     const Meeting<Number> at = meeting_of(
-        s,
-        std::array<Number, 2>{ray.point[0] + to_plane * d[0], ray.point[1] + to_plane * d[1]}, d);
+        s, std::array<Number, 2>{ray.point[0] + to_plane * d[0], ray.point[1] + to_plane * d[1]},
+        d);
     ray.refracted = ray.refracted && 0.0 < d[2] && at.exists;
     ray.point = {at.point[0], at.point[1], vertex + at.point[2]};
     ray.passed =
@@ -340,8 +338,7 @@ Truth<Number> inside_blades(const Blades& blades, const std::array<Number, 2>& p
     using std::floor;
     using std::sqrt;
     const double step = 2.0 * std::numbers::pi / static_cast<double>(blades.count);
-    const Number angle =
-        atan2(p[1], p[0]) - (0.5 * std::numbers::pi + blades.rotation);
+    const Number angle = atan2(p[1], p[0]) - (0.5 * std::numbers::pi + blades.rotation);
     const Number part = angle - step * floor(angle / step);
     return sqrt(p[0] * p[0] + p[1] * p[1]) * cos(part - 0.5 * step) <=
            radius * std::cos(0.5 * step);
@@ -358,8 +355,8 @@ LensPath<Number> traced(const LensOptics& lens, const FocusedOptics<Number>& at,
         refract(lens.surfaces[i], at.vertices[i], ray);
     }
     if (lens.blades.count != 0) {
-        ray.passed = ray.passed && inside_blades(lens.blades, ray.at_stop,
-                                                 lens.surfaces[lens.stop].shape.radius);
+        ray.passed = ray.passed &&
+                     inside_blades(lens.blades, ray.at_stop, lens.surfaces[lens.stop].shape.radius);
     }
     ray.passed = ray.passed && ray.refracted;
     return ray;

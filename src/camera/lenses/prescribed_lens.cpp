@@ -74,8 +74,8 @@ public:
         const FocusedOptics<Expr> at = focused(parts_.optics, parts_.group, vergence);
         emit.require(at.valid);
         const Expr depth = at.depth();
-        const Expr scale = parts_.sensor ? emit(*parts_.sensor) / frame.width
-                                         : emit(parts_.paraxial.focal_length);
+        const Expr scale =
+            parts_.sensor ? emit(*parts_.sensor) / frame.width : emit(parts_.paraxial.focal_length);
         const std::array<Expr, 2> sensor{-(scale * frame.tangent.x), -(scale * frame.tangent.y)};
         const std::array<Expr, 2> p{sensor[0] / depth, sensor[1] / depth};
         const Expr square_of_p = p[0] * p[0] + p[1] * p[1];
@@ -103,9 +103,9 @@ private:
     std::optional<ExitPupil> pupil_at(const Expr& vergence, Emitter& emit) const {
         constexpr double nearest = 5.0;  // Focal lengths: closer than most lenses focus.
         const double near = 1.0 / (nearest * parts_.paraxial.focal_length);
-        const std::vector<double> vergences =
-            vergence.is_constant() ? std::vector{vergence.node().value}
-                                   : std::vector{0.0, 0.5 * near, near};
+        const std::vector<double> vergences = vergence.is_constant()
+                                                  ? std::vector{vergence.node().value}
+                                                  : std::vector{0.0, 0.5 * near, near};
         auto found = find_exit_pupil(parts_.optics, parts_.group, vergences);
         if (!found) {
             emit.report(error(fmt::format("no light passes the lens '{}' at this focus",
@@ -141,12 +141,11 @@ private:
 
 std::optional<Diagnostic> narrow_stop(LensOptics& optics, const ParaxialLens& paraxial,
                                       double f_number) {
-    // The height at the stop of a ray from the edge of the entrance pupil.
     const double widest = paraxial.f_number();
     if (f_number < widest * (1.0 - 1e-6)) {
-        return error(fmt::format("f/{:.3g} is wider than this lens, which is f/{:.3g}", f_number,
-                                 widest),
-                     {}, "write a larger f_number, or leave it out");
+        return error(
+            fmt::format("f/{:.3g} is wider than this lens, which is f/{:.3g}", f_number, widest),
+            {}, "write a larger f_number, or leave it out");
     }
     optics.surfaces[optics.stop].shape.radius *= std::min(1.0, widest / f_number);
     return std::nullopt;
@@ -161,8 +160,9 @@ Result<std::optional<FocusingGroup>> group_of(const Arguments& a, std::size_t co
     const double last = *written[1].constant();
     if (first != std::floor(first) || last != std::floor(last) || !(first <= last) ||
         last > static_cast<double>(count)) {
-        return error(fmt::format("there is no group from surface {:g} to surface {:g}", first, last),
-                     {}, fmt::format("write the first and the last surface, 1 to {}", count));
+        return error(
+            fmt::format("there is no group from surface {:g} to surface {:g}", first, last), {},
+            fmt::format("write the first and the last surface, 1 to {}", count));
     }
     return std::optional(
         FocusingGroup{static_cast<std::size_t>(first) - 1, static_cast<std::size_t>(last) - 1});
@@ -204,8 +204,9 @@ StageResult make_prescribed_lens(const Arguments& a) {
 std::vector<StageEntry> prescribed_lenses() {
     return {
         {.name = "table",
-         .meaning = "a lens of glass from a file, in the place of a pinhole: every ray is refracted "
-                    "surface by surface",
+         .meaning =
+             "a lens of glass from a file, in the place of a pinhole: every ray is refracted "
+             "surface by surface",
          .formula = R"(
 from P = −F (x, y) on the sensor in the direction (m, n, √(1 − m² − n²))
 (x, y)   the tangents of the pinhole's ray
@@ -238,12 +239,11 @@ no ray that misses a hole or the stop, or that is totally reflected
                    CountParameter{.default_value = 0.0, .range = {.minimum = 0.0, .maximum = 64.0}},
                .meaning = "the number of sides of the stop; 0 is round"},
               {.name = "rotation",
-               .type =
-                   NumberParameter{.unit = Unit::angle, .default_value = 0.0, .constant = true},
+               .type = NumberParameter{.unit = Unit::angle, .default_value = 0.0, .constant = true},
                .meaning = "of the polygon, counter-clockwise; at 0 a corner is at the top"},
               {.name = "group",
-               .type = PairParameter{.range = {.minimum = 1.0, .maximum = 1000.0},
-                                     .constant = true},
+               .type =
+                   PairParameter{.range = {.minimum = 1.0, .maximum = 1000.0}, .constant = true},
                .optional = true,
                .meaning = "the first and the last surface, counted from the scene, of what moves "
                           "to focus; without it, the sensor moves"},
@@ -251,7 +251,7 @@ no ray that misses a hole or the stop, or that is totally reflected
                .type = NumberParameter{.default_value = 0.0, .constant = true},
                .meaning = "how far behind its focus the sensor is, in mm"},
               {.name = "wavelength",
-               .type = NumberParameter{.default_value = 1000.0 * line_d,
+               .type = NumberParameter{.default_value = 587.5618,
                                        .range = {.minimum = 200.0, .maximum = 3000.0},
                                        .constant = true},
                .meaning = "of the light in nm; the lens is focused with that of 587.6 nm"},

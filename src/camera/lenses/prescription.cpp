@@ -50,16 +50,16 @@ Medium sellmeier(std::string name, const std::array<double, 6>& coefficients) {
 // Malitson 1965, of fluorite Malitson 1963.
 const std::vector<Medium>& glasses() {
     static const std::vector<Medium> all{
-        sellmeier("N-BK7", {1.03961212, 0.231792344, 1.01046945, 0.00600069867, 0.0200179144,
-                            103.560653}),
-        sellmeier("N-SK16", {1.34317774, 0.241144399, 0.994317969, 0.00704687339, 0.0229005,
-                             92.7508526}),
-        sellmeier("N-F2", {1.39757037, 0.159201403, 1.2686543, 0.00995906143, 0.0546931752,
-                           119.248346}),
-        sellmeier("N-SF6", {1.77931763, 0.338149866, 2.08734474, 0.0133714182, 0.0617533621,
-                            174.01759}),
-        sellmeier("N-SF11", {1.73759695, 0.313747346, 1.89878101, 0.013188707, 0.0623068142,
-                             155.23629}),
+        sellmeier("N-BK7",
+                  {1.03961212, 0.231792344, 1.01046945, 0.00600069867, 0.0200179144, 103.560653}),
+        sellmeier("N-SK16",
+                  {1.34317774, 0.241144399, 0.994317969, 0.00704687339, 0.0229005, 92.7508526}),
+        sellmeier("N-F2",
+                  {1.39757037, 0.159201403, 1.2686543, 0.00995906143, 0.0546931752, 119.248346}),
+        sellmeier("N-SF6",
+                  {1.77931763, 0.338149866, 2.08734474, 0.0133714182, 0.0617533621, 174.01759}),
+        sellmeier("N-SF11",
+                  {1.73759695, 0.313747346, 1.89878101, 0.013188707, 0.0623068142, 155.23629}),
         sellmeier("FUSED-SILICA", {0.6961663, 0.4079426, 0.8974794, 0.0684043 * 0.0684043,
                                    0.1162414 * 0.1162414, 9.896161 * 9.896161}),
         sellmeier("CAF2", {0.5675888, 0.4710914, 3.8484723, 0.050263605 * 0.050263605,
@@ -73,11 +73,9 @@ const Medium* find_glass(std::string_view name) {
     const auto same = [](char a, char b) {
         return std::toupper(static_cast<unsigned char>(a)) == b;
     };
-    const auto found =
-        std::find_if(glasses().begin(), glasses().end(), [&](const Medium& glass) {
-            return std::equal(name.begin(), name.end(), glass.name.begin(), glass.name.end(),
-                              same);
-        });
+    const auto found = std::find_if(glasses().begin(), glasses().end(), [&](const Medium& glass) {
+        return std::equal(name.begin(), name.end(), glass.name.begin(), glass.name.end(), same);
+    });
     return found == glasses().end() ? nullptr : &*found;
 }
 
@@ -101,8 +99,8 @@ double LensSurface::sag(double h) const {
 }
 
 std::size_t Prescription::stop() const {
-    const auto found = std::find_if(surfaces.begin(), surfaces.end(),
-                                    [](const LensSurface& s) { return s.stop; });
+    const auto found =
+        std::find_if(surfaces.begin(), surfaces.end(), [](const LensSurface& s) { return s.stop; });
     return static_cast<std::size_t>(found - surfaces.begin());
 }
 
@@ -121,9 +119,9 @@ std::optional<Diagnostic> fault_of(const LensSurface& s) {
         return error("a number of this surface is not finite", s.written, "correct it");
     }
     if (!(s.radius > 0.0)) {
-        return error(s.stop ? "this stop lets nothing through"
-                            : "no light passes through this surface",
-                     s.written, "give it a diameter above 0");
+        return error(
+            s.stop ? "this stop lets nothing through" : "no light passes through this surface",
+            s.written, "give it a diameter above 0");
     }
     if (const double n = s.behind.index(line_d); !(n >= 1.0 && n < 10.0)) {
         return error(fmt::format("the index of what is behind this surface is {:.6g}", n),

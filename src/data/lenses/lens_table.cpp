@@ -65,10 +65,9 @@ private:
         static constexpr std::array forms{Form{"cauchy", Dispersion::cauchy, 3},
                                           Form{"schott", Dispersion::schott, 6},
                                           Form{"sellmeier", Dispersion::sellmeier, 6}};
-        const auto* form =
-            std::find_if(forms.begin(), forms.end(), [&](const Form& one) {
-                return line.size() > 2 && line[2].text == one.name;
-            });
+        const auto* form = std::find_if(forms.begin(), forms.end(), [&](const Form& one) {
+            return line.size() > 2 && line[2].text == one.name;
+        });
         const bool by_abbe = form == forms.end();
         const std::size_t first = by_abbe ? 2 : 3;
         const std::size_t count = by_abbe ? 2 : form->count;

@@ -90,7 +90,8 @@ std::optional<double> lens_number(const LensWord& word, Diagnostics& found) {
     double value = 0.0;
     const auto [stop, status] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (status != std::errc() || stop != text.data() + text.size() || !std::isfinite(value)) {
-        found.push_back(error("this is not a number", word.span, "write one such as -14.5 or 2e-5"));
+        found.push_back(
+            error("this is not a number", word.span, "write one such as -14.5 or 2e-5"));
         return std::nullopt;
     }
     return value;
@@ -101,9 +102,8 @@ std::optional<double> lens_unit(const LensWord& word, Diagnostics& found) {
         std::string_view name;
         double millimetres;
     };
-    static constexpr std::array units{Unit{"mm", 1.0}, Unit{"cm", 10.0}, Unit{"m", 1000.0},
-                                      Unit{"meter", 1000.0}, Unit{"in", 25.4},
-                                      Unit{"inch", 25.4}};
+    static constexpr std::array units{Unit{"mm", 1.0},       Unit{"cm", 10.0}, Unit{"m", 1000.0},
+                                      Unit{"meter", 1000.0}, Unit{"in", 25.4}, Unit{"inch", 25.4}};
     std::string name(word.text);
     std::transform(name.begin(), name.end(), name.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -138,9 +138,9 @@ Result<std::shared_ptr<const camera::Prescription>> read_prescription(const File
         found.push_back(error(fmt::format("'{}' has no surfaces", file.name), {},
                               "write one a line: radius, gap, medium behind it, diameter"));
     } else if (lens.surfaces.size() > max_surfaces) {
-        found.push_back(error(fmt::format("'{}' has more than {} surfaces", file.name,
-                                          max_surfaces),
-                              {}, "check that it is the right file"));
+        found.push_back(
+            error(fmt::format("'{}' has more than {} surfaces", file.name, max_surfaces), {},
+                  "check that it is the right file"));
     } else if (!has_errors(found)) {
         const Diagnostics faults = camera::check(lens);
         found.insert(found.end(), faults.begin(), faults.end());

@@ -87,6 +87,7 @@ struct Previous {
     const Token* token = nullptr;
     Role role = Role::plain;
     bool keyword = false;  // The word that starts a statement, or one between operands.
+    bool call = false;     // The word that starts a statement that is written as a call.
 };
 
 bool space_before(const Token& token, Role role, const Previous& previous) {
@@ -206,8 +207,8 @@ private:
                           is_call(find_statement(token, Block::camera));
         // A word behind an operand, such as `from` of limits, is no operand.
         const bool word = token.kind == TokenKind::name && previous_.token != nullptr &&
-                          ends_operand(*previous_.token) && !previous_.keyword;
-        previous_ = {&token, role, (first && !call) || word};
+                          ends_operand(*previous_.token) && !previous_.keyword && !previous_.call;
+        previous_ = {&token, role, (first && !call) || word, first && call};
         if (token.is("{")) {
             ++depth_;
             lines_.back().opens_block = true;
