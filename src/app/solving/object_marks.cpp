@@ -9,7 +9,7 @@
 
 #include "app/words.hpp"
 #include "balcony/inputs.hpp"
-#include "balcony/names.hpp"
+#include "balcony/object_names.hpp"
 #include "balcony/scene.hpp"
 
 namespace balcony::app {
@@ -18,21 +18,12 @@ namespace {
 
 using solve::V3d;
 
-// The box of an object: that of the scene without the other objects.
-scene::Box3f box_of(scene::Scene scene, std::size_t object) {
-    std::erase_if(scene.instances,
-                  [object](const scene::Instance& one) { return one.object != object; });
+// The box of some objects: that of the scene without the others.
+scene::Box3f box_of(scene::Scene scene, const std::vector<std::uint32_t>& objects) {
+    std::erase_if(scene.instances, [&objects](const scene::Instance& one) {
+        return std::find(objects.begin(), objects.end(), one.object) == objects.end();
+    });
     return scene.bounds();
-}
-
-Diagnostic no_object(const Marks::OnObject& mark, const scene::Scene& scene) {
-    std::vector<std::string> names;
-    for (const scene::Object& one : scene.objects) {
-        names.push_back(one.name);
-    }
-    return error(fmt::format("'{}' has no object '{}'", scene.name, mark.object), mark.written,
-                 did_you_mean(mark.object, names,
-                              fmt::format("'balcony info {} --objects' lists them", scene.name)));
 }
 
 V3d place_in(const scene::Box3f& box, const V3d& part) {
@@ -58,16 +49,15 @@ Diagnostics place_on_objects(Marks& marks, const std::filesystem::path& file,
     }
     marks.axes = marks.axes.value_or(scene->axes);
     for (const Marks::OnObject& one : marks.on_objects) {
-        const auto object = std::find_if(
-            scene->objects.begin(), scene->objects.end(),
-            [&](const scene::Object& candidate) { return candidate.name == one.object; });
-        if (object == scene->objects.end()) {
-            found.push_back(no_object(one, *scene));
+        const std::vector<std::uint32_t> objects = scene::objects_named(*scene, one.object);
+        if (objects.empty()) {
+            found.push_back(scene::no_object(
+                *scene, fmt::format("'{}' has no object '{}'", scene->name, printable(one.object)),
+                one.object, one.written));
             continue;
         }
-        const auto index = static_cast<std::size_t>(object - scene->objects.begin());
         marks.problem.marks[one.mark].place =
-            turned(place_in(box_of(*scene, index), one.part), scene->axes, *marks.axes);
+            turned(place_in(box_of(*scene, objects), one.part), scene->axes, *marks.axes);
     }
     return found;
 }

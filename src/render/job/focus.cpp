@@ -12,7 +12,7 @@
 #include <fmt/format.h>
 
 #include "balcony/median.hpp"
-#include "balcony/names.hpp"
+#include "balcony/object_names.hpp"
 #include "render/job/coarse_rays.hpp"
 #include "render/job/picture_rays.hpp"
 
@@ -22,27 +22,11 @@ namespace {
 
 using Imath::V3d;
 
-Diagnostic unknown_object(const scene::Scene& scene, const std::string& name,
-                          const SourceSpan& lens) {
-    std::vector<std::string> known;
-    for (const scene::Object& object : scene.objects) {
-        if (!object.name.empty()) {
-            known.push_back(object.name);
-        }
-    }
-    return error(
-        fmt::format("the lens is focused on '{}', but the scene has no object of this name",
-                    printable(name)),
-        lens,
-        printable(
-            did_you_mean(name, known, "'balcony info --objects' lists the objects of a scene")));
-}
-
-// The middle of the box around an object's vertices.
-V3d middle_of(const scene::Scene& scene, const std::string& name) {
+// The middle of the box around the vertices of some objects, which are flagged.
+V3d middle_of(const scene::Scene& scene, const std::vector<bool>& objects) {
     Imath::Box3d box;
     for (const scene::Instance& instance : scene.instances) {
-        if (scene.objects[instance.object].name == name) {
+        if (objects[instance.object]) {
             for (const V3f& position : scene.meshes[instance.mesh.value()]->positions) {
                 box.extendBy(V3d(position) * instance.world_from_mesh);
             }
@@ -56,27 +40,32 @@ class Rangefinder {
 public:
     Rangefinder(const TracedScene& traced, const TileRays& rays) : traced_(traced), rays_(rays) {}
 
-    [[nodiscard]] double operator()(const std::string& object) const {
+    [[nodiscard]] double operator()(const std::string& name) const {
+        std::vector<bool> objects(traced_.scene->objects.size());
+        for (const std::uint32_t object : scene::objects_named(*traced_.scene, name)) {
+            objects[object] = true;
+        }
         std::vector<double> lengths;
         for (std::size_t i = 0; i < rays_.all.size(); ++i) {
             if (traceable(rays_.all, i)) {
-                if (const auto length = length_to(object, i)) {
+                if (const auto length = length_to(objects, i)) {
                     lengths.push_back(*length);
                 }
             }
         }
         const std::optional<double> visible = median(std::move(lengths));
-        return visible ? *visible : past(middle_of(*traced_.scene, object));
+        return visible ? *visible : past(middle_of(*traced_.scene, objects));
     }
 
 private:
-    [[nodiscard]] std::optional<double> length_to(const std::string& object, std::size_t i) const {
+    [[nodiscard]] std::optional<double> length_to(const std::vector<bool>& objects,
+                                                  std::size_t i) const {
         const embree::Ray ray{.origin = V3f(rays_.all.origin(i)),
                               .direction = V3f(rays_.all.direction(i)),
                               .time = rays_.time_of(i)};
-        const embree::Hit hit = traced_.accelerator.intersect(ray);
-        if (!hit.any() ||
-            traced_.scene->objects[traced_.scene->instances[hit.instance].object].name != object) {
+        const embree::Hit hit =
+            traced_.accelerator.intersect(ray);
+        if (!hit.any() || !objects[traced_.scene->instances[hit.instance].object]) {
             return std::nullopt;
         }
         const V3d position(traced_.surfaces.find(hit, ray.direction, ray.time).position);
@@ -111,7 +100,6 @@ private:
 Result<LensFocus> lenses_of(const camera::Picture& picture, const scene::Scene& scene) {
     LensFocus made;
     Diagnostics found;
-    const auto& objects = scene.objects;
     for (const camera::ShownCamera& shown : camera::shown_cameras(picture)) {
         const camera::LensPointer& lens = shown.camera.parts().lens;
         made.any_lens = made.any_lens || lens;
@@ -121,9 +109,12 @@ Result<LensFocus> lenses_of(const camera::Picture& picture, const scene::Scene& 
             continue;
         }
         made.objects.push_back(*object);
-        if (std::none_of(objects.begin(), objects.end(),
-                         [&](const scene::Object& one) { return one.name == *object; })) {
-            found.push_back(unknown_object(scene, *object, shown.camera.parts().lens_span));
+        if (scene::objects_named(scene, *object).empty()) {
+            found.push_back(scene::no_object(
+                scene,
+                fmt::format("the lens is focused on '{}', but the scene has no object of this name",
+                            printable(*object)),
+                *object, shown.camera.parts().lens_span));
         }
     }
     if (!found.empty()) {

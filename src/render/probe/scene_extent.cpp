@@ -12,7 +12,7 @@
 #include <Imath/ImathMatrixAlgo.h>
 #include <fmt/format.h>
 
-#include "balcony/names.hpp"
+#include "balcony/object_names.hpp"
 #include "balcony/probe.hpp"
 #include "render/probe/main_objects.hpp"
 #include "render/probe/object_view.hpp"
@@ -333,15 +333,12 @@ Result<std::optional<std::uint32_t>> find_object(const scene::Scene& scene,
     if (name.empty()) {
         return std::optional<std::uint32_t>();
     }
-    std::vector<std::string> names;
-    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-        if (scene.objects[i].name == name) {
-            return std::optional(static_cast<std::uint32_t>(i));
-        }
-        names.push_back(scene.objects[i].name);
+    const std::vector<std::uint32_t> found = scene::objects_named(scene, name);
+    if (found.empty()) {
+        return scene::no_object(
+            scene, fmt::format("'{}' has no object '{}'", scene.name, printable(name)), name, {});
     }
-    return error(fmt::format("'{}' has no object '{}'", scene.name, name), {},
-                 did_you_mean(name, names, "balcony info --objects lists the objects of a scene"));
+    return std::optional(found.front());
 }
 
 }  // namespace
