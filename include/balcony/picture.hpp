@@ -84,6 +84,37 @@ struct Leader {
 /// another.
 using ColorMatrix = std::array<std::array<double, 3>, 3>;
 
+/// A name of objects of a scene, or a pattern for several: `*` stands for any characters, `?` for
+/// one.
+struct ObjectPattern {
+    std::string text;
+    SourceSpan written{};  ///< Where a file has it, for problems with the scene.
+};
+
+/// The objects that the rays of a camera meet first, those of the patterns or all others. What a
+/// ray meets once it is reflected or refracted does not depend on it, nor do lights and shadows.
+struct ObjectChoice {
+    bool shows = true;  ///< Otherwise these are hidden.
+    std::vector<ObjectPattern> patterns;
+};
+
+/// All choices together; without any, all objects. Only without a choice that shows some, rays that
+/// meet none of the objects show the environment.
+using ObjectFilter = std::vector<ObjectChoice>;
+
+/// What a layer is composited by.
+enum class Compositing : std::uint8_t {
+    order,  ///< It covers the layers behind it.
+    /// The depth of what it shows, along the rays of the master, which is the layer behind it, or
+    /// that one's master. A point's depth is that of its foot on the master's ray at the same point
+    /// of the picture. The nearest of such layers is in front, the foremost layer among equals.
+    /// What is behind the origin of the ray is not drawn; where the master has no ray, their order
+    /// counts.
+    depth,
+    /// Its weight as a part of the sum of those of all layers by weight that follow each other.
+    weight,
+};
+
 class Picture;
 
 /// One layer of a picture. Its window is the part of the picture that it covers; the clip is a
@@ -103,6 +134,11 @@ struct Layer {
     Scalar softness = 0.0;  ///< Width of the clip's edge, as a fraction of the window's height.
     Scalar alpha = 1.0;
     std::optional<ColorMatrix> channels{};  ///< Of what it shows; its own colours without it.
+    ObjectFilter objects{};                 ///< Of all cameras that it shows.
+    Compositing compositing = Compositing::order;
+    /// Of Compositing::weight, by the point of the picture in fractions from its top left corner;
+    /// 0 where it is negative or not finite.
+    std::optional<Formula> weight{};
     BlendMode blend = BlendMode::normal;
     std::optional<Stroke> frame{};  ///< Along the clip, inside its edge.
     std::vector<Leader> leaders{};
@@ -122,8 +158,12 @@ struct PictureExpressions {
         BlendMode blend = BlendMode::normal;
         std::optional<RayExpressions> ray;
         Axes axes = Axes::z_up;  ///< Origin of the ray.
+        ObjectFilter objects{};  ///< Of the ray.
         std::optional<std::array<Expr, 3>> paint;
         std::vector<Element> group;  ///< Composited separately first, then as one.
+        /// How those of the group are composited: by order, or rays by depth, of which the first
+        /// one is the master.
+        Compositing compositing = Compositing::order;
     };
     std::vector<Element> elements;
 };
@@ -152,8 +192,9 @@ public:
         Fit fit = Fit::fit;  ///< Of the whole in a picture of another aspect.
     };
 
-    /// Checks that there is a layer, and that sizes, opacities, widths, regions and nesting are
-    /// within limits.
+    /// Checks that there is a layer, that sizes, opacities, widths, regions and nesting are within
+    /// limits, that layers that are composited by depth are cameras and have a master, and
+    /// that those by weight have one.
     [[nodiscard]] static Result<Picture> make(Parts parts);
     /// A picture that shows a single camera.
     Picture(Camera camera);
@@ -208,7 +249,8 @@ struct ShownCamera {
         std::string layer;  ///< Its number from 1 at the back, "3.1" in the picture of the third.
         std::size_t index = 0;  ///< Which camera layer of all this is, the back one 0.
         std::vector<PictureArrangerPointer>
-            arrangers;  ///< From the whole picture, outermost first.
+            arrangers;           ///< From the whole picture, outermost first.
+        ObjectFilter objects{};  ///< That of the layer and those around it.
     };
     Camera camera;
     std::vector<LayerUse> uses;

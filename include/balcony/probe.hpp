@@ -157,9 +157,14 @@ struct SceneExtent {
                                                 const std::string& object = {},
                                                 const std::stop_token& stop = {});
 
+/// An error for each name in the object filters of a picture that no object of a scene has. Jobs
+/// report these errors, too.
+[[nodiscard]] Diagnostics check_objects(const camera::Picture& picture, const scene::Scene& scene);
+
 /// From the origin of a ray to a point that it may show.
 struct SightLine {
     Imath::V3d from, to;
+    const camera::ObjectFilter* objects = nullptr;  ///< What the ray meets; all if null.
 };
 
 /// An object that hides the end of a line from its start.

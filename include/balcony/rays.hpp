@@ -193,11 +193,14 @@ public:
         std::optional<std::size_t> layer;  ///< Index into layers().
         std::optional<std::size_t> paint;  ///< The index of the first of three colour channels.
         std::vector<Element> group;
+        /// Of the group: by depth, its elements are layers, of which the first one is the master.
+        camera::Compositing compositing = camera::Compositing::order;
     };
     struct CameraLayer {
         std::string name;        ///< Prefixed by the names of the enclosing pictures.
         Axes axes = Axes::z_up;  ///< The axes of its rays.
         RayProgram rays;
+        camera::ObjectFilter objects;  ///< What its rays meet first.
     };
 
     [[nodiscard]] const std::vector<Element>& elements() const { return elements_; }
@@ -209,10 +212,10 @@ public:
     /// is from 0 to 1, or NaN.
     void run_coverages(const Tile& tile, Scratch& scratch, std::span<double* const> results) const;
 
-    /// One camera that covers everything, in its own colours.
+    /// One camera that covers everything, in its own colours, and shows all objects.
     [[nodiscard]] bool is_one_camera() const {
         return elements_.size() == 1 && elements_.front().layer && !coverages_ &&
-               !elements_.front().channels;
+               !elements_.front().channels && layers_.front().objects.empty();
     }
 
 private:
@@ -234,6 +237,7 @@ struct VisibleLayer {
     std::string name;
     Axes axes = Axes::z_up;
     RayProgram rays;
+    camera::ObjectFilter objects;  ///< What its rays meet first.
 };
 
 /// The layers of a picture, compiled for points.
@@ -245,6 +249,8 @@ public:
     [[nodiscard]] bool any_hidden() const { return hidden_.has_value(); }
     /// hidden[l][i] receives 1 where layers and lines in front of layer l hide it completely at
     /// point i, by the renderer's rule: those in normal blend mode that cover the point completely.
+    /// A layer of some objects, or one that is composited by depth, hides those that it meets
+    /// nearer; without a scene it hides nothing.
     void run_hidden(const Points& points, Scratch& scratch, std::span<double* const> hidden) const;
 
 private:

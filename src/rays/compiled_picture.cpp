@@ -51,10 +51,11 @@ private:
             made.layer = made_.layers_.size();
             if (auto rays = take(RayProgram::make(*one.ray, one.axes, options_), found_)) {
                 made_.layers_.push_back(
-                    {one.name, options_.axes.value_or(one.axes), std::move(*rays)});
+                    {one.name, options_.axes.value_or(one.axes), std::move(*rays), one.objects});
             }
         }
         made.group = elements(one.group);
+        made.compositing = one.compositing;
         return made;
     }
 

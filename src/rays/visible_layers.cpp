@@ -48,6 +48,9 @@ private:
 
     // Where there is something that can hide others: a ray, paint, or a group without a gap.
     expr::Expr contents(const Element& element, expr::Expr hidden, expr::Expr shown) {
+        if (element.compositing == camera::Compositing::depth) {
+            return find_by_depth(element.group, hidden, shown);
+        }
         if (!element.group.empty()) {
             return find(element.group, hidden, shown);
         }
@@ -58,10 +61,21 @@ private:
         ray.valid = ray.valid && shown;
         hidden_.push_back(hidden);
         if (auto rays = take(RayProgram::make(ray, element.axes, options_), found_)) {
-            made_.layers_.push_back(
-                {element.name, options_.axes.value_or(element.axes), std::move(*rays)});
+            made_.layers_.push_back({element.name, options_.axes.value_or(element.axes),
+                                     std::move(*rays), element.objects});
         }
-        return element.ray->valid;
+        return element.objects.empty() ? element.ray->valid : hidden.graph().constant(0.0);
+    }
+
+    // The master hides what is behind all of them.
+    expr::Expr find_by_depth(const std::vector<Element>& elements, expr::Expr hidden,
+                             expr::Expr shown) {
+        expr::Expr present = hidden.graph().constant(0.0);
+        for (auto element = elements.rbegin(); element != elements.rend(); ++element) {
+            present = contents(*element, hidden, shown && 0.0 < element->coverage) &&
+                      1.0 <= element->coverage;
+        }
+        return present;
     }
 
     const CompileOptions& options_;

@@ -204,4 +204,34 @@ TEST(Places, ContradictNothing) {
               "this region has no area");
 }
 
+TEST(Layers, ShowAndHideObjects) {
+    const camera::Picture picture = made(R"(picture p {
+        layer plain { hide objects("vase*", "bowl") }
+        layer strip {
+            show  (0.1, 0.2) .. (0.3, 0.4)
+            show  objects("vase*")
+            hide  objects("vase 3")
+            blend by depth
+        }
+    })");
+    const camera::Layer& behind = picture.parts().layers.at(0);
+    ASSERT_EQ(behind.objects.size(), 1U);
+    EXPECT_FALSE(behind.objects[0].shows);
+    ASSERT_EQ(behind.objects[0].patterns.size(), 2U);
+    EXPECT_EQ(behind.objects[0].patterns[1].text, "bowl");
+    const SourceSpan& written = behind.objects[0].patterns[1].written;
+    EXPECT_EQ(written.source->text().substr(written.begin, written.end - written.begin), "bowl");
+    EXPECT_EQ(behind.compositing, camera::Compositing::order);
+    const camera::Layer& front = picture.parts().layers.at(1);
+    EXPECT_TRUE(front.show);
+    ASSERT_EQ(front.objects.size(), 2U);
+    EXPECT_TRUE(front.objects[0].shows);
+    EXPECT_FALSE(front.objects[1].shows);
+    EXPECT_EQ(front.compositing, camera::Compositing::depth);
+
+    const std::vector<camera::ShownCamera> shown = shown_cameras(picture);
+    ASSERT_EQ(shown.size(), 2U);
+    EXPECT_EQ(shown[1].uses[0].objects.size(), 2U);
+}
+
 }  // namespace balcony::lang::layers_test

@@ -205,4 +205,43 @@ TEST(Pictures, AreBounded) {
         << wide.diagnostics[0].message;
 }
 
+TEST(Pictures, LayersByWeightHaveTheirPartsOfTheSum) {
+    const camera::Picture picture = made(test::joined({cameras, R"(picture p {
+        aspect 2
+        layer pinhole
+        layer plain { blend by weight(x) }
+        layer round { blend by weight(1 - 2*y) frame }
+        layer plain { blend by weight(2 + t) }
+    })"}));
+    // The frame is drawn in front of its layer.
+    constexpr std::array<std::size_t, 3> elements{1, 2, 4};
+    for (const double x : {10.0, 90.0, 170.0}) {
+        for (const double y : {5.0, 30.0, 80.0}) {
+            const double time = 1.5;
+            const std::array weights{x / 200.0, std::max(0.0, 1.0 - 2.0 * y / 100.0), 2.0 + time};
+            const double sum = weights[0] + weights[1] + weights[2];
+            double uncovered = 1.0;
+            for (std::size_t i = 3; i-- > 0;) {
+                const double part = coverage(picture, elements[i], x, y, time);
+                EXPECT_NEAR(uncovered * part, weights[i] / sum, 1e-12) << x << ' ' << y << ' ' << i;
+                uncovered *= 1.0 - part;
+            }
+            EXPECT_NEAR(uncovered, 0.0, 1e-12);
+        }
+    }
+}
+
+TEST(Pictures, LayersOfNoWeightShowWhatIsBehind) {
+    const camera::Picture picture = made(test::joined({cameras, R"(picture p {
+        aspect 2
+        layer pinhole
+        layer plain { blend by weight(x - 0.5) }
+        layer round { blend by weight(log(x - 0.5)) }
+    })"}));
+    EXPECT_EQ(coverage(picture, 1, 20.0, 50.0), 0.0);
+    EXPECT_EQ(coverage(picture, 2, 20.0, 50.0), 0.0);
+    EXPECT_EQ(coverage(picture, 1, 180.0, 50.0), 1.0);
+    EXPECT_EQ(coverage(picture, 2, 180.0, 50.0), 0.0);
+}
+
 }  // namespace balcony::lang::pictures_test

@@ -194,6 +194,16 @@ void describe(Report& report, const Loaded& loaded, const camera::Picture& pictu
     report.fitted = loaded.cameras.fitted();
 }
 
+// A layer of some objects may show little.
+void describe_objects(Report& report, const render::Summary::Layer& layer) {
+    if (layer.hits == 0) {
+        report.diagnostics.push_back(
+            warning(fmt::format("no ray of {} meets the objects that it shows",
+                                name_of(layer, report.summary)),
+                    {}, "'balcony locate' finds where a camera shows a point of the scene"));
+    }
+}
+
 void describe_sight(Report& report, const Loaded& loaded, const camera::Picture& picture,
                     std::pair<std::size_t, std::size_t> size, const std::stop_token& stop) {
     constexpr double few = 0.02;  // The share of rays that meet something, if hardly any does.
@@ -206,8 +216,10 @@ void describe_sight(Report& report, const Loaded& loaded, const camera::Picture&
             if (layer.camera_rays == layer.invalid_rays) {
                 continue;
             }
-            if (static_cast<double>(layer.hits) <
-                few * static_cast<double>(layer.camera_rays - layer.invalid_rays)) {
+            if (!use.objects.empty()) {
+                describe_objects(report, layer);
+            } else if (static_cast<double>(layer.hits) <
+                       few * static_cast<double>(layer.camera_rays - layer.invalid_rays)) {
                 describe_miss(report, loaded, shown, use.index, size);
             }
             if (probe) {

@@ -18,23 +18,32 @@ namespace balcony::app {
 
 namespace {
 
-std::vector<std::string> numbers_of_layers(const camera::Picture& picture, std::size_t count) {
-    std::vector<std::string> numbers(count);
+// What is to be known about the camera layers of a picture, by index.
+struct LayersOfPicture {
+    std::vector<std::string> numbers;
+    std::vector<camera::ObjectFilter> objects;
+};
+
+LayersOfPicture layers_of(const camera::Picture& picture, std::size_t count) {
+    LayersOfPicture made{std::vector<std::string>(count), std::vector<camera::ObjectFilter>(count)};
     for (const camera::ShownCamera& shown : shown_cameras(picture)) {
         for (const camera::ShownCamera::LayerUse& use : shown.uses) {
-            numbers[use.index] = use.layer;
+            made.numbers[use.index] = use.layer;
+            made.objects[use.index] = use.objects;
         }
     }
-    return numbers;
+    return made;
 }
 
 // Determines whether the sightings are hidden in the scene of a renderer.
-Diagnostics look_for_obstacles(const render::Renderer& renderer, Located& located,
+Diagnostics look_for_obstacles(const render::Renderer& renderer,
+                               const std::vector<camera::ObjectFilter>& objects, Located& located,
                                const std::stop_token& stop) {
     std::vector<render::SightLine> lines;
     lines.reserve(located.sightings.size());
     for (const analyse::Sighting& sighting : located.sightings) {
-        lines.push_back({sighting.origin, located.points[sighting.point]});
+        lines.push_back({sighting.origin, located.points[sighting.point],
+                         objects[sighting.layer].empty() ? nullptr : &objects[sighting.layer]});
     }
     auto found = render::find_obstacles(renderer, lines, located.axes, stop);
     located.obstacles = std::move(found.value);
@@ -84,6 +93,7 @@ struct LocateSession::State {
     double time;
     Located found;  ///< Without points.
     analyse::Locator locator;
+    std::vector<camera::ObjectFilter> objects;  ///< By camera layer.
 
     std::vector<analyse::V3d> only_points{};  ///< Those of the first batch, if it is the only one.
     std::size_t batches = 0;
@@ -135,7 +145,14 @@ Result<LocateSession> LocateSession::make(const LocateRequest& request,
         return diagnostics;
     }
     found.layers = locator->layers();
-    found.numbers = numbers_of_layers(*picture, found.layers.size());
+    LayersOfPicture layers = layers_of(*picture, found.layers.size());
+    found.numbers = std::move(layers.numbers);
+    if (prepared) {
+        add(diagnostics, render::check_objects(*picture, *prepared->scene));
+        if (has_errors(diagnostics)) {
+            return diagnostics;
+        }
+    }
     found.closed_form = locator->closed_form();
     found.axes = locator->axes();
     if (prepared) {
@@ -143,9 +160,9 @@ Result<LocateSession> LocateSession::make(const LocateRequest& request,
     }
     std::vector<std::filesystem::path> files = workspace.files();
     files.emplace_back(request.scene);
-    return {LocateSession(std::make_unique<State>(State{std::move(prepared), std::move(*picture),
-                                                        std::move(files), request.time,
-                                                        std::move(found), std::move(*locator)})),
+    return {LocateSession(std::make_unique<State>(
+                State{std::move(prepared), std::move(*picture), std::move(files), request.time,
+                      std::move(found), std::move(*locator), std::move(layers.objects)})),
             std::move(diagnostics)};
 }
 
@@ -162,7 +179,7 @@ Result<Located> LocateSession::locate(std::vector<analyse::V3d> points,
     found.sightings = std::move(*sightings);
     Diagnostics diagnostics = std::move(sightings.diagnostics);
     if (state.prepared) {
-        add(diagnostics, look_for_obstacles(state.prepared->renderer, found, stop));
+        add(diagnostics, look_for_obstacles(state.prepared->renderer, state.objects, found, stop));
         if (!found.obstacles) {
             return diagnostics;
         }

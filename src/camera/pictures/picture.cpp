@@ -15,6 +15,7 @@
 #include "camera/machine/arrange.hpp"
 #include "camera/machine/size_limit.hpp"
 #include "camera/pictures/layer_arrangers.hpp"
+#include "camera/pictures/picture_checks.hpp"
 #include "camera/pictures/strokes.hpp"
 
 namespace balcony::camera {
@@ -22,111 +23,6 @@ namespace balcony::camera {
 namespace {
 
 using Element = PictureExpressions::Element;
-using NestedPicture = std::shared_ptr<const Picture>;
-
-// ------------------------------------------------------------------------------------- checks
-
-const Picture* nested(const Layer& layer) {
-    const auto* picture = std::get_if<NestedPicture>(&layer.content);
-    return picture != nullptr ? picture->get() : nullptr;
-}
-
-std::optional<std::array<double, 2>> sides_of(const Layer& layer) {
-    const Picture* inner = nested(layer);
-    return inner != nullptr ? inner->sides() : std::get<Camera>(layer.content).parts().sides;
-}
-
-struct Extent {
-    std::size_t layers = 0;
-    std::size_t depth = 1;
-};
-
-Extent extent(const Picture::Parts& parts) {
-    Extent all;
-    for (const Layer& layer : parts.layers) {
-        ++all.layers;
-        if (const Picture* inner = nested(layer)) {
-            const Extent within = extent(inner->parts());
-            all.layers += within.layers;
-            all.depth = std::max(all.depth, within.depth + 1);
-        }
-    }
-    return all;
-}
-
-// The value of a number if it does not depend on time.
-bool known_outside(const Scalar& value, double minimum, double maximum) {
-    const auto known = value.constant();
-    return known && !(minimum <= *known && *known <= maximum);
-}
-
-void check_stroke(const Stroke& stroke, const std::string& layer, Diagnostics& diagnostics) {
-    if (known_outside(stroke.width, 0.0, 1.0)) {
-        diagnostics.push_back(
-            error(fmt::format("the width of a line of layer '{}' is not from 0 to 1", layer), {},
-                  "the width is a fraction of the picture's height, such as 0.004"));
-    }
-}
-
-void check_region(const PictureRegion& region, const std::string& layer, Diagnostics& diagnostics) {
-    for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
-        const auto first = region.from[i].constant();
-        const auto last = region.to[i].constant();
-        if (first && last && !(*first < *last)) {
-            diagnostics.push_back(
-                error(fmt::format("the region that layer '{}' shows has no area", layer), {},
-                      "write its top left and its bottom right corner, such as (0.2, 0.1) .. (0.5, "
-                      "0.4)"));
-            return;
-        }
-    }
-}
-
-void check_layer(const Layer& layer, Diagnostics& diagnostics) {
-    if (known_outside(layer.alpha, 0.0, 1.0)) {
-        diagnostics.push_back(
-            error(fmt::format("the alpha of layer '{}' is not from 0 to 1", layer.name), {},
-                  "0 is transparent, 1 is opaque"));
-    }
-    if (known_outside(layer.softness, 0.0, 1.0)) {
-        diagnostics.push_back(error(
-            fmt::format("the width of the soft edge of layer '{}' is not from 0 to 1", layer.name),
-            {}, "the width is a fraction of the layer's height, such as 0.05"));
-    }
-    if (layer.show) {
-        check_region(*layer.show, layer.name, diagnostics);
-    }
-    if (layer.frame) {
-        check_stroke(*layer.frame, layer.name, diagnostics);
-    }
-    if (layer.scale_bar && !sides_of(layer)) {
-        diagnostics.push_back(error(
-            fmt::format("layer '{}' has a scale bar, but what it shows has no scale", layer.name),
-            {}, "write the sides of its picture in scene units: aspect (WIDTH, HEIGHT)"));
-    }
-    for (const Leader& leader : layer.leaders) {
-        check_stroke(leader.stroke, layer.name, diagnostics);
-    }
-}
-
-void check_extent(const Picture::Parts& parts, Diagnostics& diagnostics) {
-    const Extent all = extent(parts);
-    if (all.layers == 0) {
-        diagnostics.push_back(error(fmt::format("picture '{}' has no layers", parts.name), {},
-                                    "add one with: layer NAME"));
-    }
-    if (all.layers > max_layers) {
-        diagnostics.push_back(
-            error(fmt::format("picture '{}' has {} layers, including those of nested pictures; "
-                              "the maximum is {}",
-                              parts.name, all.layers, max_layers)));
-    }
-    if (all.depth > max_nested_pictures) {
-        diagnostics.push_back(
-            error(fmt::format("picture '{}' nests pictures {} levels deep; the maximum is {}",
-                              parts.name, all.depth, max_nested_pictures)));
-    }
-}
 
 // ----------------------------------------------------------------------------------- elements
 
@@ -145,11 +41,28 @@ public:
     PictureEmitter(Graph& graph, Contents contents) : graph_(graph), contents_(contents) {}
 
     std::vector<Element> elements(const Picture& picture, const PicturePoint& point,
-                                  const std::string& path) {
+                                  const std::string& path, const ObjectFilter& objects) {
         std::vector<Element> made;
         const Picture::Parts& parts = picture.parts();
-        for (std::size_t i = 0; i < parts.layers.size(); ++i) {
-            add(parts, i, point, path, made);
+        const Around around{point, path, objects};
+        for (std::size_t i = 0; i < parts.layers.size();) {
+            const std::size_t first = i++;
+            const auto goes_on_by = [&](Compositing compositing) {
+                return i < parts.layers.size() && parts.layers[i].compositing == compositing;
+            };
+            if (parts.layers[first].compositing == Compositing::weight) {
+                for (; goes_on_by(Compositing::weight); ++i) {
+                }
+                add_by_weight(parts, first, i, around, made);
+                continue;
+            }
+            for (; goes_on_by(Compositing::depth); ++i) {
+            }
+            if (i - first == 1) {
+                add(parts, first, around, made);
+            } else {
+                add_by_depth(parts, first, i, around, made);
+            }
         }
         return made;
     }
@@ -159,7 +72,7 @@ public:
         Emitter emit(graph_);
         const PictureArrangerPointer fitted = fitting_of(picture);
         const PicturePoint own = fitted ? fitted->arrange(whole, emit) : whole;
-        std::vector<Element> made = elements(picture, own, "");
+        std::vector<Element> made = elements(picture, own, "", {});
         if (!are_same(own, whole)) {
             for (Element& element : made) {
                 element.coverage = select(inside(own), element.coverage, emit(0.0));
@@ -169,8 +82,61 @@ public:
     }
 
 private:
-    void add(const Picture::Parts& parts, std::size_t index, const PicturePoint& whole,
-             const std::string& path, std::vector<Element>& made) {
+    /// What is around the layers of a picture.
+    struct Around {
+        const PicturePoint& whole;
+        const std::string& path;
+        const ObjectFilter& objects;
+    };
+
+    // Lines of layers that are composited by depth are drawn behind and in front of all of these.
+    void add_by_depth(const Picture::Parts& parts, std::size_t first, std::size_t last,
+                      const Around& around, std::vector<Element>& made) {
+        Element all;
+        all.coverage = graph_.constant(1.0);
+        all.blend = parts.layers[first].blend;
+        all.compositing = Compositing::depth;
+        std::vector<Element> in_front;
+        for (std::size_t i = first; i < last; ++i) {
+            std::vector<Element> one;
+            add(parts, i, around, one);
+            const auto content =
+                std::find_if(one.begin(), one.end(), [](const Element& e) { return !e.paint; });
+            made.insert(made.end(), one.begin(), content);
+            in_front.insert(in_front.end(), std::next(content), one.end());
+            all.group.push_back(std::move(*content));
+            all.group.back().blend = BlendMode::normal;
+        }
+        made.push_back(std::move(all));
+        made.insert(made.end(), in_front.begin(), in_front.end());
+    }
+
+    // Over those behind it, each covers its part of the sum of the weights so far, so that in the
+    // end each has its part of the sum of all.
+    void add_by_weight(const Picture::Parts& parts, std::size_t first, std::size_t last,
+                       const Around& around, std::vector<Element>& made) {
+        const auto& [point, size] = around.whole;
+        const Expr zero = graph_.constant(0.0);
+        Expr sum = zero;
+        for (std::size_t i = first; i < last; ++i) {
+            const Expr given =
+                parts.layers[i]
+                    .weight->emit(graph_, std::array{point.x / size.width, point.y / size.height})
+                    .front();
+            const Expr weight = select(is_finite(given), max(given, zero), zero);
+            sum = sum + weight;
+            const std::size_t begin = made.size();
+            add(parts, i, around, made);
+            const auto content =
+                std::find_if(made.begin() + static_cast<std::ptrdiff_t>(begin), made.end(),
+                             [](const Element& e) { return !e.paint; });
+            content->coverage = content->coverage * select(0.0 < sum, weight / sum, zero);
+        }
+    }
+
+    void add(const Picture::Parts& parts, std::size_t index, const Around& around,
+             std::vector<Element>& made) {
+        const auto& [whole, path, objects] = around;
         const Layer& layer = parts.layers[index];
         const LayerArrangers arrangers = arrangers_of(parts, index);
         Emitter emit(graph_);
@@ -195,6 +161,8 @@ private:
             emit(layer.alpha) * coverage(layer, *clip, are_same(whole, window), window, own, emit);
         content.channels = layer.channels;
         content.blend = layer.blend;
+        content.objects = objects;
+        content.objects.insert(content.objects.end(), layer.objects.begin(), layer.objects.end());
         if (contents_ == Contents::emitted) {
             add_contents(layer, own, content);
         }
@@ -212,7 +180,7 @@ private:
 
     void add_contents(const Layer& layer, const PicturePoint& own, Element& content) {
         if (const Picture* inner = nested(layer)) {
-            content.group = elements(*inner, own, content.name);
+            content.group = elements(*inner, own, content.name, content.objects);
         } else {
             const Camera& camera = std::get<Camera>(layer.content);
             content.ray = camera.emit(own);
@@ -329,11 +297,7 @@ bool is_too_large(const Picture& picture) {
 }  // namespace
 
 Result<Picture> Picture::make(Parts parts) {
-    Diagnostics diagnostics;
-    check_extent(parts, diagnostics);
-    for (const Layer& layer : parts.layers) {
-        check_layer(layer, diagnostics);
-    }
+    Diagnostics diagnostics = check_layers(parts);
     if (parts.size && ((*parts.size)[0] == 0 || (*parts.size)[1] == 0)) {
         diagnostics.push_back(error(fmt::format("picture '{}' has no pixels", parts.name), {},
                                     "write its width and height, such as 1920 x 1080"));

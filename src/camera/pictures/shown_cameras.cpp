@@ -25,6 +25,7 @@ void add_layers(const Picture& picture, const ShownCamera::LayerUse& whole, std:
         use.layer = fmt::format("{}{}{}", whole.layer, whole.layer.empty() ? "" : ".", i + 1);
         const std::vector<PictureArrangerPointer> own = arrangers_of(parts, i).all();
         use.arrangers.insert(use.arrangers.end(), own.begin(), own.end());
+        use.objects.insert(use.objects.end(), layer.objects.begin(), layer.objects.end());
         const auto* camera = std::get_if<Camera>(&layer.content);
         if (camera == nullptr) {
             add_layers(*std::get<std::shared_ptr<const Picture>>(layer.content), use, count, made);

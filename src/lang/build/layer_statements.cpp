@@ -113,9 +113,7 @@ public:
         channels(made);
         blend(made);
         fit(made);
-        if (const Statement* show = own_.find(StatementKind::show)) {
-            made.show = region(*show->corners());
-        }
+        show(made);
         strokes(made);
         const bool good_view = stereo(made);
         const auto has_all = [](const auto& arrangers) {
@@ -191,6 +189,10 @@ private:
         if (statement == nullptr) {
             return;
         }
+        if (!statement->stages().empty()) {
+            blend_by(tree_[statement->stages().front()], made);
+            return;
+        }
         const auto mode = camera::blend_modes().find(statement->word().text);
         if (!mode) {
             error(statement->word().span,
@@ -199,6 +201,57 @@ private:
                              "the blend modes are"));
         }
         made.blend = mode.value_or(camera::BlendMode::normal);
+    }
+
+    void blend_by(const Expression& what, camera::Layer& made) {
+        if (what.kind == ExpressionKind::name && what.name.text == "depth") {
+            made.compositing = camera::Compositing::depth;
+        } else if (what.kind == ExpressionKind::call && what.name.text == "weight" &&
+                   what.arguments.size() == 1 && !what.arguments.front().name) {
+            made.compositing = camera::Compositing::weight;
+            made.weight =
+                stages_.formula_of_picture(what.arguments.front().value, "the weight of a layer");
+        } else {
+            error(what.span, fmt::format("layers cannot be blended by '{}'", tree_.text(what.span)),
+                  "write blend by depth, blend by weight(1 - x), or a blend mode");
+        }
+    }
+
+    // The region, and the objects that are shown and hidden.
+    void show(camera::Layer& made) {
+        const Statement* earlier = nullptr;
+        for (const Statement& one : block_) {
+            const bool shows = one.kind == StatementKind::show;
+            if (one.broken || (!shows && one.kind != StatementKind::hide)) {
+                continue;
+            }
+            if (one.corners() == nullptr) {
+                made.objects.push_back(objects(tree_[one.stages().front()], shows));
+            } else if (earlier != nullptr) {
+                reporter_.add(occurs_again("show", tree_, one.keyword, earlier->keyword));
+            } else {
+                earlier = &one;
+                made.show = region(*one.corners());
+            }
+        }
+    }
+
+    camera::ObjectChoice objects(const Expression& call, bool shows) {
+        camera::ObjectChoice made{shows, {}};
+        for (const Argument& argument : call.arguments) {
+            const Expression& name = tree_[argument.value];
+            if (argument.name || name.kind != ExpressionKind::text || name.name.text.empty()) {
+                error(name.span, "expected the name of an object of the scene",
+                      "write names in quotation marks: objects(\"vase*\", \"table\")");
+                continue;
+            }
+            made.patterns.push_back({std::string(name.name.text), tree_.at(name.name.span)});
+        }
+        if (call.arguments.empty()) {
+            error(call.span, "no objects are named",
+                  "write names in quotation marks: objects(\"vase*\", \"table\")");
+        }
+        return made;
     }
 
     // fit, fill or stretch.
@@ -264,7 +317,7 @@ private:
                 if (auto to = leader_region(*corners)) {
                     made.leaders.push_back({std::move(to), stroke});
                 }
-            } else if (own_.lacks(StatementKind::show)) {
+            } else if (!made.show && !is_broken(StatementKind::show)) {
                 error(one.span, "this leader has no corners, and its layer has no 'show'",
                       "write leader (0.2, 0.1) .. (0.4, 0.3) for a region of the picture, or show "
                       "a region of the layer");
@@ -272,6 +325,10 @@ private:
                 made.leaders.push_back({std::nullopt, stroke});
             }
         }
+    }
+
+    [[nodiscard]] bool is_broken(StatementKind kind) const {
+        return own_.find(kind) == nullptr && !own_.lacks(kind);
     }
 
     std::optional<camera::PictureRegion> leader_region(const Corners& corners) {

@@ -11,6 +11,13 @@
 
 namespace balcony::lang {
 
+Diagnostic occurs_again(std::string_view word, const SyntaxTree& tree, Span again, Span first) {
+    Diagnostic diagnostic =
+        error(fmt::format("'{}' occurs a second time", word), tree.at(again), "remove one of them");
+    diagnostic.notes.push_back({tree.at(first), fmt::format("the first '{}'", word)});
+    return diagnostic;
+}
+
 Statements::Statements(const SyntaxTree& tree, const std::vector<Statement>& all,
                        Reporter& reporter)
     : all_(all) {
@@ -21,12 +28,8 @@ Statements::Statements(const SyntaxTree& tree, const std::vector<Statement>& all
         const auto [earlier, is_first] = first_.emplace(statement.kind, &statement);
         const StatementRow* row = row_of(statement.kind);
         if (!is_first && whole && row != nullptr && row->once) {
-            const std::string_view word = row->keyword;
-            Diagnostic diagnostic = error(fmt::format("'{}' occurs a second time", word),
-                                          tree.at(statement.keyword), "remove one of them");
-            diagnostic.notes.push_back(
-                {tree.at(earlier->second->keyword), fmt::format("the first '{}'", word)});
-            reporter.add(std::move(diagnostic));
+            reporter.add(
+                occurs_again(row->keyword, tree, statement.keyword, earlier->second->keyword));
         }
     }
 }

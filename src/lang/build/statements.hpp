@@ -11,6 +11,10 @@
 
 namespace balcony::lang {
 
+/// The error of a statement that may occur only once.
+[[nodiscard]] Diagnostic occurs_again(std::string_view word, const SyntaxTree& tree, Span again,
+                                      Span first);
+
 /// The statements of one block, by kind.
 class Statements {
 public:

@@ -139,6 +139,10 @@ bool StatementParser::body(const StatementRow& row, Statement& made) {
         case Shape::nothing: return true;
         case Shape::corners: return corners(made);
         case Shape::optional_corners: return optional_corners(made);
+        case Shape::shown:
+            return tokens_.peek().is_name("objects") ? objects(row, made) : corners(made);
+        case Shape::objects: return objects(row, made);
+        case Shape::blend: return blend(row, made);
         case Shape::placements: return placements(row, made);
         case Shape::loop: return loop(made);
         case Shape::assignments: return assignments(made);
@@ -336,6 +340,24 @@ bool StatementParser::optional_corners(Statement& made) {
     const bool omitted = keyword_at(token) != nullptr || token.is("}") || tokens_.at_end() ||
                          (tokens_.at_new_line() && !token.is("("));
     return omitted || corners(made);
+}
+
+// objects("vase*", "table")
+bool StatementParser::objects(const StatementRow& row, Statement& made) {
+    if (!tokens_.peek().is_name("objects") || !tokens_.peek(1).is("(")) {
+        tokens_.expected(row.expected, "write names in quotation marks: objects(\"vase*\")");
+        return false;
+    }
+    return stages(row, made);
+}
+
+// multiply, or by depth
+bool StatementParser::blend(const StatementRow& row, Statement& made) {
+    const bool by = tokens_.peek().is_name("by");
+    if (by) {
+        tokens_.next();
+    }
+    return by ? stages(row, made) : word(row, made);
 }
 
 bool StatementParser::placements(const StatementRow& row, Statement& made) {

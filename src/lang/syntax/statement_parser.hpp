@@ -56,6 +56,8 @@ private:
     [[nodiscard]] bool ends_of(Range& range);
     [[nodiscard]] bool corners(Statement& made);
     [[nodiscard]] bool optional_corners(Statement& made);
+    [[nodiscard]] bool objects(const StatementRow& row, Statement& made);
+    [[nodiscard]] bool blend(const StatementRow& row, Statement& made);
     [[nodiscard]] bool placements(const StatementRow& row, Statement& made);
     [[nodiscard]] std::optional<ExpressionId> placement(const StatementRow& row);
     [[nodiscard]] bool assignments(Statement& made);

@@ -35,6 +35,9 @@ enum class Shape : std::uint8_t {
     nothing,   ///< The keyword says it all.
     ranges,    ///< u = first .. last, v = square
     corners,   ///< (a, b) .. (c, d)
+    shown,     ///< Corners, or a call of objects: show objects("vase*").
+    objects,   ///< A call of objects.
+    blend,     ///< One word, or what it is done by: by depth.
     optional_corners,
     placements,   ///< Corners and stages with commas between them; corners are the stage `place`.
     stage,        ///< A stage.

@@ -80,6 +80,7 @@ enum class StatementKind : std::uint8_t {
     fill,
     stretch,
     show,
+    hide,
     clip,
     soft,
     alpha,

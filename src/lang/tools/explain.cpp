@@ -111,7 +111,14 @@ Meanings of_ranges(const Statement& statement) {
     return found;
 }
 
-Meanings of_blend(const Statement& statement) {
+Meanings of_blend(const SyntaxTree& tree, const Statement& statement) {
+    if (!statement.stages().empty()) {
+        return {tree[statement.stages().front()].name.text == "depth"
+                    ? "depth: the nearest of such layers along the rays of the master camera, that "
+                      "of the layer behind them, is in front"
+                    : "weight: its part of the sum of the weights of such layers that follow each "
+                      "other"};
+    }
     const std::string_view name = statement.word().text;
     const auto mode = camera::blend_modes().find(name).value_or(camera::BlendMode::normal);
     return {fmt::format("{}: {}", name, camera::blend_modes()[mode].meaning)};
@@ -124,8 +131,8 @@ Meanings meanings(const Source& place, const StatementRow& row, const Statement&
     if (row.shape == Shape::ranges) {
         return of_ranges(statement);
     }
-    if (row.shape == Shape::word) {
-        return of_blend(statement);
+    if (row.shape == Shape::blend) {
+        return of_blend(place.tree, statement);
     }
     Meanings found;
     for (const ExpressionId call : statement.stages()) {

@@ -225,6 +225,7 @@ struct Accelerator::State {
     std::shared_ptr<Engine> engine = std::make_shared<Engine>();
     std::vector<BuiltScene> meshes;  // By mesh; null for one that no instance places.
     BuiltScene world;
+    std::vector<bool> attached;  // To the world, by instance.
     float reach = max_coordinate;
 
     [[nodiscard]] RTCDevice device() const { return engine->device.get(); }
@@ -250,6 +251,7 @@ void Accelerator::State::place(const scene::Scene& scene, const MotionSteps& mot
     const auto steps = motion.matrices(instance);
     const Geometry placed = make_instance(device(), mesh.get(), steps);
     rtcAttachGeometryByID(world.get(), placed.get(), static_cast<unsigned>(instance));
+    attached[instance] = true;
     for (const scene::M44d& world_from_mesh : steps) {
         reach = std::min(reach, static_cast<float>(*reach_into(world_from_mesh)));
     }
@@ -260,6 +262,7 @@ void Accelerator::State::copy(const scene::Scene& scene, const MotionSteps& moti
     if (const Geometry triangles = make_triangles(
             device(), scene, motion, scene.instances[instance].mesh, instance, monitor)) {
         rtcAttachGeometryByID(world.get(), triangles.get(), static_cast<unsigned>(instance));
+        attached[instance] = true;
     }
 }
 
@@ -301,6 +304,7 @@ Result<Accelerator> Accelerator::fill(std::shared_ptr<State> state, const scene:
                                       const scene::Movement& movement, const std::stop_token& stop,
                                       const PartDone& progress) {
     state->world = make_scene(state->device());
+    state->attached.assign(scene.instances.size(), false);
     const MotionSteps motion(scene, movement);
     const std::vector<Use> uses = choose_uses(scene, motion);
     const Sizes sizes = sizes_of(scene, uses);
@@ -325,6 +329,27 @@ Result<Accelerator> Accelerator::fill(std::shared_ptr<State> state, const scene:
         return error(fmt::format("the acceleration structure cannot be built: {}", first));
     }
     return {Accelerator(std::move(state)), name_left_out(scene, uses)};
+}
+
+Result<Accelerator> Accelerator::only(std::span<const std::uint8_t> shown) const {
+    auto state = std::make_shared<State>();
+    state->engine = state_->engine;
+    state->meshes = state_->meshes;
+    state->reach = state_->reach;
+    state->world = make_scene(state->device());
+    state->attached.assign(shown.size(), false);
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        if (shown[i] != 0 && state_->attached[i]) {
+            const auto id = static_cast<unsigned>(i);
+            rtcAttachGeometryByID(state->world.get(), rtcGetGeometry(state_->world.get(), id), id);
+            state->attached[i] = true;
+        }
+    }
+    rtcCommitScene(state->world.get());
+    if (const std::string& first = state->engine->errors.first; !first.empty()) {
+        return error(fmt::format("the acceleration structure cannot be built: {}", first));
+    }
+    return Accelerator(std::move(state));
 }
 
 float Accelerator::reach() const { return state_->reach; }

@@ -42,6 +42,9 @@ public:
                                             const std::stop_token& stop = {},
                                             const PartDone& progress = {}) const;
 
+    /// Some of its instances alone, which are not 0 in flags by instance. Shares their meshes.
+    [[nodiscard]] Result<Accelerator> only(std::span<const std::uint8_t> shown) const;
+
     /// The largest absolute coordinate of a ray's origin: max_coordinate, or less if a shared
     /// mesh is placed by a matrix that shrinks it.
     [[nodiscard]] float reach() const;

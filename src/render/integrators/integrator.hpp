@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -16,6 +17,7 @@
 #include "render/embree/accelerator.hpp"
 #include "render/sampling/sampler.hpp"
 #include "render/tracing/scene_tracer.hpp"
+#include "render/tracing/shown_objects.hpp"
 #include "shading/surfaces/packet_lanes.hpp"
 #include "shading/surfaces/surface_lanes.hpp"
 
@@ -32,7 +34,10 @@ struct Seen {
     float cut = 0.0F;
     VisibleSurface visible;
     VisibleSurface shown;  ///< The same, or what a mirror or clear glass shows instead of itself.
-    Coverage coverage;     ///< Of all that is seen directly.
+    /// Where the ray ends that has passed surfaces because of their opacity; nothing if it meets
+    /// none. If a ray is divided at such surfaces, it is the first one.
+    std::optional<V3f> end{};
+    Coverage coverage;  ///< Of all that is seen directly.
 };
 
 /// A ray of the camera with its first hit, and the random numbers of its pixel and pass.
@@ -76,8 +81,10 @@ public:
     virtual ~Integrator() = default;
 
     /// The radiance of each ray, usually those of a tile and a pass. It depends on no other rays
-    /// than those of its group. At most PixelGroups::size rays have the same group.
-    virtual void trace(std::span<const CameraRay> rays, std::span<Seen> seen) = 0;
+    /// than those of its group. At most PixelGroups::size rays have the same group. Behind their
+    /// first hits, the rays meet what is shown until they are reflected or refracted.
+    virtual void trace(std::span<const CameraRay> rays, const ShownObjects& shown,
+                       std::span<Seen> seen) = 0;
 
     /// Null if there is no faster way.
     [[nodiscard]] virtual LightTracer* light_tracer() { return nullptr; }

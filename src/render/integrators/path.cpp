@@ -62,7 +62,9 @@ public:
           light_(traced, settings.path),
           guide_(traced.patches.get()) {}
 
-    void trace(std::span<const CameraRay> rays, std::span<Seen> seen) override {
+    void trace(std::span<const CameraRay> rays, const ShownObjects& shown,
+               std::span<Seen> seen) override {
+        sees_environment_ = shows_environment_ && shown.environment;
         softening_ =
             settings_->exact || rays.empty() ? 0.0F : softening(rays.front().sampler.pass());
         light_.begin(rays, seen);
@@ -73,7 +75,7 @@ public:
                 return advance(count);
             });
             light_.trace_shadow_rays(tracer_, paths_);
-            paths_.intersect(tracer_);
+            paths_.intersect(tracer_, shown);
         }
         light_.finish(tracer_);
     }
@@ -105,6 +107,7 @@ private:
     const PathSettings* settings_;
     LampWeights weights_;
     bool shows_environment_;
+    bool sees_environment_ = false;  // The camera rays at work.
     float footprint_scale_;
     float softening_ = 0.0F;  // Of the pass.
     bool textured_;
@@ -180,6 +183,7 @@ PathTracer::Encounter PathTracer::meet(std::size_t lane) {
     if (seen_directly) {
         light_.seen(path).radiance.a = 1.0F;
         light_.seen(path).coverage.add(tracer_.visible(at), 1.0F);
+        light_.seen(path).end = at.surface.position;
     } else if (path.is_clear) {
         light_.seen(path).shown = tracer_.visible(at);
     }
@@ -243,7 +247,7 @@ void PathTracer::add_distant_light(const Path& path) {
     const LightSet& lights = tracer_.lights();
     const bool seen_directly = path.bounces.all == 0;
     if (!lights.has_distant() || path.is_guided || path.is_cut ||
-        (seen_directly && !shows_environment_)) {
+        (seen_directly && !sees_environment_)) {
         return;
     }
     const Color3f arriving = lights.radiance_from(path.ray.direction);

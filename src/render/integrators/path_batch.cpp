@@ -23,7 +23,7 @@ void PathBatch::generate(std::span<const CameraRay> rays, Part part) {
 
 // Each ray by itself: packets gain nothing for rays that were scattered, and the result of a ray
 // then does not depend on the others.
-void PathBatch::intersect(const SceneTracer& tracer) {
+void PathBatch::intersect(const SceneTracer& tracer, const ShownObjects& shown) {
     constexpr std::uint32_t bucket_count = 256;
     constexpr std::size_t steps_to_path = 3;  // Tracing takes longer than shading.
     keys_.clear();
@@ -37,7 +37,7 @@ void PathBatch::intersect(const SceneTracer& tracer) {
         const std::uint32_t k = order[i];
         prefetch(paths_[unordered_[order[std::min(i + steps_to_path, order.size() - 1)]]]);
         Path& path = paths_[unordered_[k]];
-        path.hit = tracer.nearest(path.ray);
+        path.hit = tracer.nearest(path.ray, path.bounces.all == 0 ? shown.only() : nullptr);
         active_.push_back(unordered_[k]);
     }
     // Neighbours then have the same material and need the same memory.

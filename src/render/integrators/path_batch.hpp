@@ -61,8 +61,8 @@ public:
     }
 
     /// Finds where the rays end, in an order in which neighbours are similar. Afterwards neighbours
-    /// meet the same instance.
-    void intersect(const SceneTracer& tracer);
+    /// meet the same instance. Those that come straight from the camera meet what is shown.
+    void intersect(const SceneTracer& tracer, const ShownObjects& shown);
 
 private:
     std::vector<Path> paths_;

@@ -87,7 +87,7 @@ private:
     [[nodiscard]] Color4f light(const DifferentialRay& ray, const embree::Hit& hit) {
         const Interaction at = tracer().interaction(ray, hit);
         return at.appearance().opacity >= 1.0F ? opaque(radiance(at, ray.direction))
-                                               : trace(ray, hit).radiance;
+                                               : trace(ray, hit, {}).radiance;
     }
 
     static Color3f radiance(const Interaction& at, const V3f& direction) {

@@ -14,19 +14,22 @@ constexpr std::size_t max_rays = 256;
 
 }  // namespace
 
-void RayTree::trace(std::span<const CameraRay> rays, std::span<Seen> seen) {
+void RayTree::trace(std::span<const CameraRay> rays, const ShownObjects& shown,
+                    std::span<Seen> seen) {
     std::transform(rays.begin(), rays.end(), seen.begin(),
-                   [this](const CameraRay& one) { return trace(one.ray, one.first); });
+                   [&](const CameraRay& one) { return trace(one.ray, one.first, shown); });
 }
 
-Seen RayTree::trace(const DifferentialRay& ray, const embree::Hit& first) {
+Seen RayTree::trace(const DifferentialRay& ray, const embree::Hit& first,
+                    const ShownObjects& shown) {
     Seen seen;
     open_.clear();
     follow({ray}, first, seen);
     for (std::size_t followed = 0; !open_.empty() && followed < max_rays; ++followed) {
         const Branch next = open_.back();
         open_.pop_back();
-        follow(next, tracer_.nearest(next.ray), seen);
+        follow(next, tracer_.nearest(next.ray, next.reflections == 0 ? shown.only() : nullptr),
+               seen);
     }
     return seen;
 }
@@ -65,6 +68,7 @@ void RayTree::follow(const Branch& branch, const embree::Hit& hit, Seen& seen) {
         if (!seen.visible.any) {
             seen.visible = surface;
             seen.shown = surface;
+            seen.end = surface.position;
         }
     }
     const Shaded shaded = shade(branch.ray, at);

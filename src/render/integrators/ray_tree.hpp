@@ -19,7 +19,8 @@ class RayTree : public Integrator {
 public:
     explicit RayTree(const TracedScene& traced) : tracer_(traced) {}
 
-    void trace(std::span<const CameraRay> rays, std::span<Seen> seen) final;
+    void trace(std::span<const CameraRay> rays, const ShownObjects& shown,
+               std::span<Seen> seen) final;
 
 protected:
     /// A pending ray, and the fraction of its radiance that reaches the camera.
@@ -46,7 +47,8 @@ protected:
     [[nodiscard]] virtual Branches scatter(const Branch& arriving, const Color3f& weight,
                                            const Interaction& at) const;
 
-    [[nodiscard]] Seen trace(const DifferentialRay& ray, const embree::Hit& first);
+    [[nodiscard]] Seen trace(const DifferentialRay& ray, const embree::Hit& first,
+                             const ShownObjects& shown);
     [[nodiscard]] const SceneTracer& tracer() const { return tracer_; }
 
 private:

@@ -30,11 +30,21 @@ struct Compositor::Work {
                                 points.region.y + i / points.region.width);
     }
 
+    // Marks the points that a layer covers completely.
+    void mark_covered(const Element& element, Mask& covered) const {
+        const std::vector<Drawn>& drawn = layers[*element.layer];
+        for (std::size_t i = 0; i < drawn.size(); ++i) {
+            mark(covered[i], drawn[i].presence >= 1.0F && coverages.coverage(element, i) >= 1.0F);
+        }
+    }
+
     const TilePoints& points;
     Region counted;
     TileCoverages coverages;
-    std::vector<std::vector<Drawn>> layers;  // By camera layer; empty if it is invisible.
-    std::vector<PointData> data;             // Empty if not requested.
+    std::vector<std::vector<Drawn>> layers;   // By camera layer; empty if it is invisible.
+    std::vector<std::vector<double>> depths;  // The same, of those that are composited by depth.
+    Mask bare;  // Where the rays of a layer meet none of the objects that it shows.
+    std::vector<PointData> data;  // Empty if not requested.
     // What the rays see, by camera layer; empty if not requested.
     std::vector<std::vector<Contribution>> seen;
 };
@@ -43,6 +53,14 @@ struct Compositor::Work {
 struct Compositor::Veil {
     Mask hidden;               // Whether something in front covers the point completely.
     std::vector<float> share;  // The coverage of the enclosing groups.
+};
+
+/// The rays of a master, and the nearest data of its layers.
+struct Compositor::Master {
+    rays::RayBatch rays;
+    rays::RayBatch central;  // Without a lens, if there are data.
+    std::vector<PointData> data;
+    std::vector<double> depths;  // Of the data.
 };
 
 Compositor::Compositor(const rays::CompiledPicture& picture, PictureRays rays, TileTracer tracer)
@@ -86,12 +104,14 @@ void Compositor::sample_all(const TilePoints& points, const Region& counted, con
               counted,
               rays_.coverages(points.grid),
               std::vector<std::vector<Drawn>>(picture_->layers().size()),
+              std::vector<std::vector<double>>(picture_->layers().size()),
+              Mask(size, 0),
               std::vector<PointData>(wanted.data ? size : 0),
               std::vector<std::vector<Contribution>>(
                   wanted.contributions ? picture_->layers().size() : 0)};
     Veil veil{Mask(size, 0), std::vector<float>(size, 1.0F)};
     trace(picture_->elements(), veil, work);
-    const PointBlender blend(work.coverages, work.layers);
+    PointBlender blend(work.coverages, work.layers, work.depths);
     image_.light.reserve(size);
     image_.display.reserve(wanted.display ? size : 0);
     image_.mirrored.reserve(wanted.mirrored ? size : 0);
@@ -105,7 +125,7 @@ void Compositor::sample_all(const TilePoints& points, const Region& counted, con
             image_.mirrored.push_back(all.mirrored);
         }
         invalid_pixels_ += points.pass == 0 && points.is_active(i) && all.presence <= 0.0F &&
-                                   counted.contains(x, y)
+                                   work.bare[i] == 0 && counted.contains(x, y)
                                ? 1
                                : 0;
     });
@@ -116,7 +136,7 @@ void Compositor::sample_all(const TilePoints& points, const Region& counted, con
 }
 
 Contributions Compositor::contributions(const Work& work) const {
-    const LayerWeights weights(work.coverages, work.layers);
+    LayerWeights weights(work.coverages, work.layers, work.depths);
     Contributions found;
     for (std::size_t i = 0; i < work.points.size(); ++i) {
         weights.at(picture_->elements(), i, [&](std::size_t layer, float weight) {
@@ -136,11 +156,9 @@ void Compositor::trace(const std::vector<Element>& elements, Veil& veil, Work& w
         if (!element->group.empty()) {
             trace_group(*element, veil, work);
         } else if (element->layer) {
-            trace_layer(*element, veil, work);
-            const std::vector<Drawn>& layer = work.layers[*element->layer];
-            for (std::size_t i = 0; hides && i < layer.size(); ++i) {
-                mark(veil.hidden[i],
-                     layer[i].presence > 0.0F && work.coverages.coverage(*element, i) >= 1.0F);
+            trace_layer(*element, veil, work, nullptr);
+            if (hides) {
+                work.mark_covered(*element, veil.hidden);
             }
         } else {
             for (std::size_t i = 0; hides && i < work.points.size(); ++i) {
@@ -162,7 +180,11 @@ void Compositor::trace_group(const Element& element, Veil& veil, Work& work) {
     if (!shows) {
         return;
     }
-    trace(element.group, inside, work);
+    if (element.compositing == camera::Compositing::depth) {
+        trace_by_depth(element.group, inside, work);
+    } else {
+        trace(element.group, inside, work);
+    }
     if (element.blend == camera::BlendMode::normal) {
         for (std::size_t i = 0; i < work.points.size(); ++i) {
             mark(veil.hidden[i],
@@ -171,7 +193,34 @@ void Compositor::trace_group(const Element& element, Veil& veil, Work& work) {
     }
 }
 
-void Compositor::trace_layer(const Element& element, const Veil& veil, Work& work) {
+// None of the layers hides another before their depths are known.
+void Compositor::trace_by_depth(const std::vector<Element>& layers, Veil& veil, Work& work) {
+    const TilePoints& points = work.points;
+    const std::size_t first = *layers.front().layer;
+    Master master;
+    master.data.resize(work.data.size());
+    master.depths.resize(work.data.size());
+    rays_.find_rays_of_pass(first, points.grid, points.region, points.numbers, tile_rays_);
+    std::swap(master.rays, tile_rays_.all);
+    if (!work.data.empty()) {
+        rays_.find_rays(first, points.grid, tile_rays_);
+        std::swap(master.central, tile_rays_.all);
+    }
+    for (auto layer = layers.rbegin(); layer != layers.rend(); ++layer) {
+        trace_layer(*layer, veil, work, &master);
+    }
+    for (const Element& layer : layers) {
+        work.mark_covered(layer, veil.hidden);
+    }
+    for (std::size_t i = 0; i < work.data.size(); ++i) {
+        if (!work.data[i].valid) {
+            work.data[i] = master.data[i];
+        }
+    }
+}
+
+// With a master, layers are composited by depth along its rays.
+void Compositor::trace_layer(const Element& element, const Veil& veil, Work& work, Master* master) {
     const TilePoints& points = work.points;
     const std::size_t layer = *element.layer;
     Mask wanted(points.size());
@@ -188,7 +237,7 @@ void Compositor::trace_layer(const Element& element, const Veil& veil, Work& wor
     if (data_apart) {
         rays_.find_rays(layer, points.grid, rays);
         tracer_.trace(points, rays, wanted, [&](std::size_t i, const Seen& seen) {
-            add_data(element, veil, i, seen, work);
+            add_data(element, veil, i, seen, work, master);
         });
     }
     rays_.find_rays_of_pass(layer, points.grid, points.region, points.numbers, rays);
@@ -200,11 +249,22 @@ void Compositor::trace_layer(const Element& element, const Veil& veil, Work& wor
     RayCounts& count = counts_[layer];
     std::vector<Drawn>& drawn = work.layers[layer];
     drawn.resize(points.size());
+    if (master != nullptr) {
+        work.depths[layer].resize(points.size());
+    }
     if (!work.seen.empty()) {
         work.seen[layer].resize(points.size());
     }
     tracer_.trace(points, rays, wanted, [&](std::size_t i, const Seen& seen) {
-        drawn[i] = {seen.radiance, Color4f(0.0F), seen.mirrored, 1.0F};
+        const float presence = rays.shown->environment ? 1.0F : seen.radiance.a;
+        mark(work.bare[i], presence <= 0.0F);
+        const double depth = master != nullptr ? depth_along(master->rays, i, seen.end) : 0.0;
+        if (depth >= 0.0) {
+            drawn[i] = {seen.radiance, Color4f(0.0F), seen.mirrored, presence};
+        }
+        if (master != nullptr) {
+            work.depths[layer][i] = depth;
+        }
         if (work.counts(i)) {
             count.hits += seen.visible.any ? 1 : 0;
             count.light +=
@@ -218,27 +278,40 @@ void Compositor::trace_layer(const Element& element, const Veil& veil, Work& wor
             work.seen[layer][i] = {1.0F, seen.parts, seen.shown, seen.coverage};
         }
         if (!data_apart) {
-            add_data(element, veil, i, seen, work);
+            add_data(element, veil, i, seen, work, master);
         }
     });
 }
 
-// The data of a point are those of the front layer that covers at least half of it.
+// The data of a point are those of the front layer that covers at least half of it, and shows
+// something there.
 void Compositor::add_data(const Element& element, const Veil& veil, std::size_t i, const Seen& seen,
-                          Work& work) const {
-    if (work.data.empty() || work.data[i].valid ||
-        veil.share[i] * work.coverages.coverage(element, i) < 0.5F) {
+                          Work& work, Master* master) const {
+    if (work.data.empty() || veil.share[i] * work.coverages.coverage(element, i) < 0.5F ||
+        !(tile_rays_.shown->environment || seen.visible.any)) {
+        return;
+    }
+    PointData& data = master != nullptr ? master->data[i] : work.data[i];
+    if (master != nullptr) {
+        const double depth =
+            depth_along(master->central, i,
+                        seen.visible.any ? std::optional(seen.visible.position) : std::nullopt);
+        if (depth < 0.0 || (data.valid && depth >= master->depths[i])) {
+            return;
+        }
+        master->depths[i] = depth;
+    } else if (data.valid) {
         return;
     }
     const rays::RayBatch& rays = tile_rays_.all;
-    work.data[i] = {true,
-                    static_cast<std::uint16_t>(*element.layer + 1),
-                    rays.origin(i),
-                    rays.direction(i),
-                    parameters(rays, i),
-                    magnification(rays, i, V3d(seen.visible.position)),
-                    rays.has_times() ? rays.time(i) : work.points.grid.time,
-                    seen.visible};
+    data = {true,
+            static_cast<std::uint16_t>(*element.layer + 1),
+            rays.origin(i),
+            rays.direction(i),
+            parameters(rays, i),
+            magnification(rays, i, V3d(seen.visible.position)),
+            rays.has_times() ? rays.time(i) : work.points.grid.time,
+            seen.visible};
 }
 
 }  // namespace balcony::render

@@ -41,15 +41,17 @@ private:
     using Element = rays::CompiledPicture::Element;
     struct Work;
     struct Veil;
+    struct Master;
 
     void sample_all(const TilePoints& points, const Region& counted, const Wanted& wanted);
     void sample_light(const TilePoints& points, const Region& counted);
     [[nodiscard]] Contributions contributions(const Work& work) const;
     void trace(const std::vector<Element>& elements, Veil& veil, Work& work);
     void trace_group(const Element& element, Veil& veil, Work& work);
-    void trace_layer(const Element& element, const Veil& veil, Work& work);
+    void trace_by_depth(const std::vector<Element>& layers, Veil& veil, Work& work);
+    void trace_layer(const Element& element, const Veil& veil, Work& work, Master* master);
     void add_data(const Element& element, const Veil& veil, std::size_t i, const Seen& seen,
-                  Work& work) const;
+                  Work& work, Master* master) const;
 
     const rays::CompiledPicture* picture_;
     PictureRays rays_;

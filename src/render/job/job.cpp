@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "balcony/probe.hpp"
 #include "base/stopwatch.hpp"
 #include "film/sums/film_arrays.hpp"
 #include "film/sums/layer_rows.hpp"
@@ -91,12 +92,12 @@ Result<PictureInputs> inputs_of(const camera::Picture& picture, const scene::Sce
     return made;
 }
 
-void measure_focus(PictureInputs& inputs, const TracedScene& traced,
-                   const std::optional<rays::CompiledPicture>& central, const Film& film,
-                   double time) {
-    if (central) {
-        PictureRays rays(*central, traced.interval, {{}, inputs.parameters});
-        inputs.focus.distances = distances_to(inputs.focus.objects, traced, rays, film, time);
+void measure_focus(PictureInputs& inputs, const JobParts& parts, const Film& film) {
+    if (parts.central) {
+        PictureRays rays(*parts.central, parts.shown, parts.traced.interval,
+                         {{}, inputs.parameters});
+        inputs.focus.distances =
+            distances_to(inputs.focus.objects, parts.traced, rays, film, parts.settings.time);
     }
 }
 
@@ -244,6 +245,9 @@ Result<Job> Job::make(const Renderer& renderer, const camera::Picture& picture,
             JobParts{renderer.state_->traced, form_of(film, renderer.state_->traced), settings,
                      find_integrator(settings.integrator)});
         const TracedScene& traced = parts->traced;
+        if (Diagnostics found = check_objects(picture, *traced.scene); !found.empty()) {
+            return found;
+        }
         Result<PictureInputs> inputs = inputs_of(picture, *traced.scene, settings);
         if (!inputs) {
             return std::move(inputs.diagnostics);
@@ -254,8 +258,13 @@ Result<Job> Job::make(const Renderer& renderer, const camera::Picture& picture,
         } else if (Diagnostics found = compile(picture, *inputs, stop, *parts); !found.empty()) {
             return found;
         }
-        measure_focus(*inputs, traced, parts->central, film, settings.time);
-        PictureRays rays(parts->picture, traced.interval, *inputs);
+        Result<std::vector<ShownObjects>> shown = shown_objects(parts->picture, traced);
+        if (!shown) {
+            return std::move(shown.diagnostics);
+        }
+        parts->shown = std::move(*shown);
+        measure_focus(*inputs, *parts, film);
+        PictureRays rays(parts->picture, parts->shown, traced.interval, *inputs);
         if (!renderer.state_->textures_on_demand) {
             read_visible_textures(traced, rays, film, settings.time, stop);
         }
@@ -286,7 +295,7 @@ Diagnostics Job::set_inputs(std::span<const camera::KnownInput> inputs) {
         }
         const JobParts& parts = *moved.parts;
         Film& film = *moved.film;
-        measure_focus(moved.inputs, parts.traced, parts.central, film, parts.settings.time);
+        measure_focus(moved.inputs, parts, film);
         begin_anew(film, film.window);
         film.white = parts.settings.sampling.white.value_or(0.0);
         moved.supersampling = supersampling_of(parts);

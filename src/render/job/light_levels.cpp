@@ -43,7 +43,7 @@ void look_along(std::size_t row, const rays::Tile& grid, const TileRays& rays,
             continue;
         }
         const DifferentialRay ray = coarse_ray(tracer.scene(), grid, rays, i);
-        if (const embree::Hit hit = tracer.nearest(ray); hit.any()) {
+        if (const embree::Hit hit = tracer.nearest(ray, rays.shown->only()); hit.any()) {
             batch.push_back({ray, hit, sampler(i, passes[0]), static_cast<std::uint32_t>(i)});
             places.push_back(i);
         }
@@ -53,7 +53,7 @@ void look_along(std::size_t row, const rays::Tile& grid, const TileRays& rays,
         for (std::size_t k = 0; k < batch.size(); ++k) {
             batch[k].sampler = sampler(places[k], pass);
         }
-        integrator.trace(batch, seen);
+        integrator.trace(batch, *rays.shown, seen);
         for (std::size_t k = 0; k < batch.size(); ++k) {
             const Color4f& all = seen[k].radiance;
             const float light = largest(Color3f(all.r, all.g, all.b) - seen[k].parts.emission -

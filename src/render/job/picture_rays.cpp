@@ -53,6 +53,7 @@ void PictureRays::find_rays_of_pass(std::size_t layer, const rays::Tile& points,
 void PictureRays::run(std::size_t layer, rays::Tile points, TileRays& rays) {
     points.inputs = inputs_.of_layer(layer);
     rays.layer = layer;
+    rays.shown = &(*shown_)[layer];
     picture_->layers()[layer].rays.run(points, scratch_, rays.all);
     rays.interval = interval_;
     rays.time = static_cast<float>(interval_.part_at(points.time));

@@ -15,6 +15,7 @@
 #include "balcony/rays.hpp"
 #include "render/job/camera_rays.hpp"
 #include "render/job/picture_inputs.hpp"
+#include "render/tracing/shown_objects.hpp"
 
 namespace balcony::render {
 
@@ -28,6 +29,7 @@ struct TileRays {
     scene::TimeInterval interval{};  ///< Of the times of rays.
     float time = 0.0F;               ///< Of rays without times of their own, as time_of().
     bool through_lens = false;       ///< They took the first pair of random numbers of each sample.
+    const ShownObjects* shown = nullptr;  ///< What they may meet first.
 
     /// From 0 to 1 over the interval.
     [[nodiscard]] float time_of(std::size_t i) const {
@@ -57,9 +59,10 @@ private:
 class PictureRays {
 public:
     /// The interval is that of the times of rays. The picture was compiled with declared(inputs).
-    PictureRays(const rays::CompiledPicture& picture, const scene::TimeInterval& interval,
-                PictureInputs inputs)
-        : picture_(&picture), interval_(interval), inputs_(std::move(inputs)) {}
+    /// What its layers show must outlive this.
+    PictureRays(const rays::CompiledPicture& picture, const std::vector<ShownObjects>& shown,
+                const scene::TimeInterval& interval, PictureInputs inputs)
+        : picture_(&picture), shown_(&shown), interval_(interval), inputs_(std::move(inputs)) {}
 
     [[nodiscard]] TileCoverages coverages(const rays::Tile& points);
     [[nodiscard]] std::size_t layer_count() const { return picture_->layers().size(); }
@@ -79,6 +82,7 @@ private:
     void run(std::size_t layer, rays::Tile points, TileRays& rays);
 
     const rays::CompiledPicture* picture_;
+    const std::vector<ShownObjects>* shown_;
     scene::TimeInterval interval_;
     InputArrays inputs_;
     rays::Scratch scratch_;

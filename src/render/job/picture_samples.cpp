@@ -36,6 +36,32 @@ Result<LensFocus> focus_without_scene(const camera::Picture& picture) {
     return focus;
 }
 
+bool has_depths(const std::vector<Element>& elements) {
+    return std::any_of(elements.begin(), elements.end(), [](const Element& element) {
+        return element.compositing == camera::Compositing::depth || has_depths(element.group);
+    });
+}
+
+// Another renderer shows the whole scene in every layer.
+Diagnostics check_layers(const rays::CompiledPicture& picture) {
+    constexpr std::string_view remedy = "render the picture with 'balcony render'";
+    for (const rays::CompiledPicture::CameraLayer& layer : picture.layers()) {
+        if (!layer.objects.empty()) {
+            return {error(fmt::format("layer '{}' shows some objects of the scene, but another "
+                                      "renderer does not tell which object a ray meets",
+                                      printable(layer.name)),
+                          layer.objects.front().patterns.front().written, std::string(remedy))};
+        }
+    }
+    if (has_depths(picture.elements())) {
+        return {
+            error("layers are composited by depth, but another renderer does not tell the "
+                  "depth of what it shows",
+                  {}, std::string(remedy))};
+    }
+    return {};
+}
+
 // Marks the points where some of the layer is visible; returns whether the layer is among the
 // elements.
 bool mark_covered(const std::vector<Element>& elements, std::size_t layer,
@@ -62,6 +88,7 @@ struct PictureSamples::State {
     SampleSettings settings;
     const PixelFilter* filter;
     rays::CompiledPicture picture;
+    std::vector<ShownObjects> shown = std::vector<ShownObjects>(picture.layers().size());  // All.
     PictureRays rays;
     TileRays found{};  // Kept for its memory.
 
@@ -69,7 +96,7 @@ struct PictureSamples::State {
         : settings(wanted),
           filter(find_pixel_filter(wanted.filter)),
           picture(std::move(compiled)),
-          rays(picture, {}, std::move(inputs)) {}
+          rays(picture, shown, {}, std::move(inputs)) {}
 };
 
 PictureSamples::PictureSamples(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -93,6 +120,9 @@ Result<PictureSamples> PictureSamples::make(const camera::Picture& picture,
         {.axes = settings.axes, .footprints = true, .inputs = declared(inputs)});
     if (!compiled) {
         return std::move(compiled.diagnostics);
+    }
+    if (Diagnostics found = check_layers(*compiled); !found.empty()) {
+        return found;
     }
     return PictureSamples(
         std::make_unique<State>(settings, std::move(*compiled), std::move(inputs)));
@@ -150,6 +180,7 @@ void PictureSamples::prepare(Film& film) const {
 
 void PictureSamples::add_pass(std::size_t pass, std::span<const LayerColors> layers, Film& film) {
     std::vector<std::vector<Drawn>> drawn(layers.size());
+    const std::vector<std::vector<double>> no_depths;
     for (std::size_t tile = 0; tile < film.tile_count(); ++tile) {
         TileImage image{film.tile(tile), {}};
         const Region& region = image.region;
@@ -163,7 +194,7 @@ void PictureSamples::add_pass(std::size_t pass, std::span<const LayerColors> lay
             });
         }
         const TileCoverages coverages = state_->rays.coverages(places(pass, region));
-        const PointBlender blend(coverages, drawn);
+        PointBlender blend(coverages, drawn, no_depths);
         for (std::size_t i = 0; i < region.size(); ++i) {
             const Drawn all = blend(state_->picture.elements(), i);
             image.light.push_back(all.light);

@@ -71,13 +71,13 @@ std::optional<float> common_light(const TracedScene& traced, const Settings& set
             batch.clear();
             for (std::size_t i = 0; i < all.all.size(); ++i) {
                 const DifferentialRay ray = coarse_ray(traced, grid, all, i);
-                const embree::Hit hit = SceneTracer(traced).nearest(ray);
+                const embree::Hit hit = SceneTracer(traced).nearest(ray, all.shown->only());
                 if (traceable(all.all, i) && hit.any()) {
                     batch.push_back({ray, hit, Sampler(i % grid.width, i / grid.width, pass)});
                 }
             }
             std::vector<Seen> seen(batch.size());
-            tracer->trace(batch, seen);
+            tracer->trace(batch, *all.shown, seen);
             light.resize(batch.size());
             for (std::size_t k = 0; k < seen.size(); ++k) {
                 const float lit = luminance(seen[k].radiance) - luminance(seen[k].parts.emission);
@@ -117,14 +117,14 @@ std::shared_ptr<const Mask> Supersampling::of(const Region& tile, PictureRays& r
 }
 
 // What a ray meets first, or by way of panes and perfect mirrors.
-Supersampling::Probe Supersampling::probe(DifferentialRay ray) const {
+Supersampling::Probe Supersampling::probe(DifferentialRay ray, const ShownObjects& shown) const {
     constexpr std::size_t most_passed = 8;
     const SceneTracer tracer(*traced_);
     float part = 1.0F;
     for (std::size_t passed = 0; passed < most_passed; ++passed) {
-        const embree::Hit hit = tracer.nearest(ray);
+        const embree::Hit hit = tracer.nearest(ray, passed == 0 ? shown.only() : nullptr);
         if (!hit.any()) {
-            return {shows_environment_
+            return {shows_environment_ && (passed > 0 || shown.environment)
                         ? part * luminance(traced_->lights.radiance_from(ray.direction))
                         : 0.0F};
         }
@@ -165,7 +165,7 @@ std::vector<Supersampling::Probe> Supersampling::probe(const Region& region, std
     std::vector<Probe> probes(region.size());
     for (std::size_t i = 0; i < probes.size(); ++i) {
         if (traceable(all.all, i)) {
-            probes[i] = probe(coarse_ray(*traced_, grid, all, i));
+            probes[i] = probe(coarse_ray(*traced_, grid, all, i), *all.shown);
         }
     }
     return probes;

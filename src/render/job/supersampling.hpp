@@ -49,7 +49,7 @@ private:
         float lamp = 0.0F;  // The light of a lamp or of the environment.
         bool glass = false;
     };
-    [[nodiscard]] Probe probe(DifferentialRay ray) const;
+    [[nodiscard]] Probe probe(DifferentialRay ray, const ShownObjects& shown) const;
     [[nodiscard]] std::vector<Probe> probe(const Region& region, std::size_t layer,
                                            PictureRays& rays) const;
     [[nodiscard]] Mask find(const Region& tile, PictureRays& rays) const;

@@ -72,8 +72,9 @@ TileTracer::TileTracer(const TracedScene& traced, const Settings& settings,
     }
 }
 
-void TileTracer::intersect(std::span<embree::Packet> packets) const {
-    traced_->accelerator.intersect(packets);
+void TileTracer::intersect(std::span<embree::Packet> packets, const ShownObjects& shown) const {
+    const embree::Accelerator& objects = shown.some ? *shown.some : traced_->accelerator;
+    objects.intersect(packets);
     if (passed_.empty()) {
         return;
     }
@@ -83,7 +84,7 @@ void TileTracer::intersect(std::span<embree::Packet> packets) const {
         for (std::size_t crossings = 0; passing != 0 && crossings < max_crossings; ++crossings) {
             passing = set_beyond(packet, beyond);
             if (passing != 0) {
-                traced_->accelerator.intersect(std::span(&beyond, 1));
+                objects.intersect(std::span(&beyond, 1));
             }
             for_each_lane(passing, [&](std::size_t lane) { packet.take_hit(beyond, lane); });
         }
@@ -127,7 +128,7 @@ void TileTracer::trace(const TilePoints& points, const TileRays& rays, const Mas
             });
         }
         if (lanes != decltype(lanes){}) {
-            intersect(packets);
+            intersect(packets, *rays.shown);
         }
         for (std::size_t k = 0; k < packets.size(); ++k, ++number) {
             if (lanes[k] != 0) {
@@ -136,7 +137,7 @@ void TileTracer::trace(const TilePoints& points, const TileRays& rays, const Mas
         }
     });
     seen_.resize(requested_.size());
-    integrator_->trace(requested_, seen_);
+    integrator_->trace(requested_, *rays.shown, seen_);
     for (Seen& seen : seen_) {
         if (!is_finite(seen.radiance)) {
             ++repaired_;
@@ -179,7 +180,7 @@ RayCounts TileTracer::trace_light(const Region& region, const Region& counted, c
     RayCounts counts{.camera_rays = within.size()};
     for_each_run(region.width, region.height, packets_, [&](const Square& first, auto packets) {
         set_packets(rays.all, first, rays.interval, rays.time, packets);
-        intersect(packets);
+        intersect(packets, *rays.shown);
         SquareDifferentials differentials(rays.all, footprint_scale_, first, differentials_);
         light_tracer_->trace_light(packets, differentials,
                                    std::span(radiances_).first(packets.size()));

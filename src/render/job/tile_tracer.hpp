@@ -61,7 +61,7 @@ public:
 private:
     void trace(const TilePoints& points, const TileRays& rays, const Mask& wanted);
     // Traces packets; hits of objects that their rays start in give way to what is behind.
-    void intersect(std::span<embree::Packet> packets) const;
+    void intersect(std::span<embree::Packet> packets, const ShownObjects& shown) const;
     // The rays of a packet that pass their hits, and what they become behind them.
     LaneBits set_beyond(const embree::Packet& packet, embree::Packet& beyond) const;
     // Writes a packet, which has a square of the region.

@@ -85,8 +85,9 @@ TileWorker::TileWorker(const JobParts& parts, const PictureInputs& inputs,
       film_(&film),
       filter_(find_pixel_filter(parts.settings.sampling.filter)),
       supersampling_(&supersampling),
-      rays_(parts.picture, parts.traced.interval, inputs),
-      compositor_(parts.picture, PictureRays(parts.picture, parts.traced.interval, inputs),
+      rays_(parts.picture, parts.shown, parts.traced.interval, inputs),
+      compositor_(parts.picture,
+                  PictureRays(parts.picture, parts.shown, parts.traced.interval, inputs),
                   TileTracer(parts.traced, parts.settings, *parts.integrator, parts.levels)) {}
 
 bool TileWorker::render(std::size_t tile) {

@@ -35,6 +35,7 @@ struct JobParts {
     Settings settings;
     const IntegratorRow* integrator;
     rays::CompiledPicture picture{};
+    std::vector<ShownObjects> shown{};  ///< By camera layer.
     /// The central rays, if distances of objects in focus are measured along them.
     std::optional<rays::CompiledPicture> central{};
     std::string light{};                          ///< As Summary::light.

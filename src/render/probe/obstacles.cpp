@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 #include "balcony/probe.hpp"
 #include "balcony/render.hpp"
 #include "render/job/camera_rays.hpp"
 #include "render/probe/probed_scene.hpp"
+#include "render/tracing/shown_objects.hpp"
 
 namespace balcony::render {
 
@@ -21,7 +23,8 @@ class SightTracer {
 public:
     explicit SightTracer(const ProbedScene& scene) : scene_(scene) {}
 
-    [[nodiscard]] std::optional<Obstacle> operator()(const V3d& from, const V3d& to) const {
+    [[nodiscard]] std::optional<Obstacle> operator()(const V3d& from, const V3d& to,
+                                                     const embree::Accelerator* only) const {
         const V3d way = to - from;
         const double size = std::max({std::abs(way.x), std::abs(way.y), std::abs(way.z)});
         const V3d scaled = way / size;  // Avoids overflow of squares.
@@ -33,7 +36,7 @@ public:
         const double length = size * scaled.length();
         embree::Ray ray = scene_.ray(V3f(from), V3f(direction));
         for (std::size_t crossings = 0;; ++crossings) {
-            const embree::Hit hit = scene_.nearest(ray);
+            const embree::Hit hit = scene_.nearest(ray, only);
             if (!hit.any()) {
                 return std::nullopt;
             }
@@ -74,12 +77,22 @@ Result<std::vector<std::optional<Obstacle>>> find_obstacles(const Renderer& rend
     const SightTracer look(scene);
     std::vector<std::optional<Obstacle>> found;
     found.reserve(lines.size());
+    std::map<const camera::ObjectFilter*, ShownObjects> filters;
+    filters[nullptr];  // All.
     for (const SightLine& line : lines) {
         if (stop.stop_requested()) {
             return stopped();
         }
+        auto shown = filters.find(line.objects);
+        if (shown == filters.end()) {
+            Result<ShownObjects> some = shown_by(*line.objects, scene.traced());
+            if (!some) {
+                return std::move(some.diagnostics);
+            }
+            shown = filters.emplace(line.objects, std::move(*some)).first;
+        }
         found.push_back(look(turned(line.from, axes, scene.scene().axes),
-                             turned(line.to, axes, scene.scene().axes)));
+                             turned(line.to, axes, scene.scene().axes), shown->second.only()));
     }
     return {std::move(found), scene.traced().textures->warnings()};
 }

@@ -36,8 +36,10 @@ public:
     [[nodiscard]] embree::Ray ray(const scene::V3f& origin, const scene::V3f& direction) const {
         return {.origin = origin, .direction = direction, .time = time_};
     }
-    [[nodiscard]] embree::Hit nearest(const embree::Ray& ray) const {
-        return traced_->accelerator.intersect(ray);
+    /// In a part of the scene, if one is given.
+    [[nodiscard]] embree::Hit nearest(const embree::Ray& ray,
+                                      const embree::Accelerator* only = nullptr) const {
+        return (only != nullptr ? *only : traced_->accelerator).intersect(ray);
     }
 
     [[nodiscard]] const scene::Instance& instance(const embree::Hit& hit) const {

@@ -64,9 +64,11 @@ public:
     [[nodiscard]] const TracedScene& scene() const { return *traced_; }
     [[nodiscard]] const LightSet& lights() const { return traced_->lights; }
 
-    [[nodiscard]] embree::Hit nearest(const DifferentialRay& ray) const {
-        return traced_->accelerator.intersect(
-            {.origin = ray.origin, .direction = ray.direction, .time = ray.time});
+    /// In a part of the scene, if one is given.
+    [[nodiscard]] embree::Hit nearest(const DifferentialRay& ray,
+                                      const embree::Accelerator* only = nullptr) const {
+        return (only != nullptr ? *only : traced_->accelerator)
+            .intersect({.origin = ray.origin, .direction = ray.direction, .time = ray.time});
     }
 
     /// What the layers show of a surface.
