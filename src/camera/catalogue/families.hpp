@@ -81,6 +81,7 @@ StageResult as_stage(Result<std::shared_ptr<const Port>> made) {
 [[nodiscard]] std::vector<StageEntry> mesh_surface();
 [[nodiscard]] std::vector<StageEntry> screens();
 [[nodiscard]] std::vector<StageEntry> ray_maps();
+[[nodiscard]] std::vector<StageEntry> general_linear();
 [[nodiscard]] std::vector<StageEntry> st_maps();
 [[nodiscard]] std::vector<StageEntry> panini();
 [[nodiscard]] std::vector<StageEntry> mirrors();
@@ -135,6 +136,7 @@ inline constexpr std::array families = {
     Family{mesh_surface, StageKind::object_generator, "Free-form surfaces"},
     Family{screens, StageKind::object_generator},
     Family{ray_maps, StageKind::object_generator, "Free-form surfaces"},
+    Family{general_linear, StageKind::object_generator},
     Family{panini, StageKind::object_generator},
     Family{mirrors, StageKind::object_generator, "Mirrors"},
     Family{calibration_files, StageKind::object_generator, "Calibrated cameras"},
