@@ -64,7 +64,7 @@ private:
                               .direction = V3f(rays_.all.direction(i)),
                               .time = rays_.time_of(i)};
         const embree::Hit hit =
-            traced_.accelerator.intersect(ray);
+            (rays_.shown->some ? *rays_.shown->some : traced_.accelerator).intersect(ray);
         if (!hit.any() || !objects[traced_.scene->instances[hit.instance].object]) {
             return std::nullopt;
         }
