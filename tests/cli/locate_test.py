@@ -111,6 +111,17 @@ class Locate(support.CommandTest):
         (bare,) = self.located("my.cam:above", "--point", "0,0,-1")
         self.assertNotIn("hidden_by", bare["sightings"][0])
 
+    def test_layers_of_some_objects(self):
+        (self.folder / "some.cam").write_text(
+            'import "my.cam"\npicture some { layer above { hide objects("t?p") } }\n')
+        words = ("--scene", "scene.obj", "--size", "120x60", "--point", "0,0,-1")
+        (wall,) = self.located("some.cam", *words)
+        self.assertIsNone(wall["sightings"][0]["hidden_by"])
+        (self.folder / "none.cam").write_text(
+            'import "my.cam"\npicture none { layer above { show objects("tap") } }\n')
+        self.refused("locate", "none.cam", *words, code=1, says="layer 1 shows 'tap'",
+                     helps="did you mean 'tip'?")
+
     def test_points_are_in_the_axes_of_the_scene(self):
         # The pinhole's own axes have z up, the scene's have y up: x is forward for both.
         (self.folder / "upright.obj").write_text(

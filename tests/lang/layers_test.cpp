@@ -220,7 +220,8 @@ TEST(Layers, ShowAndHideObjects) {
     ASSERT_EQ(behind.objects[0].patterns.size(), 2U);
     EXPECT_EQ(behind.objects[0].patterns[1].text, "bowl");
     const SourceSpan& written = behind.objects[0].patterns[1].written;
-    EXPECT_EQ(written.source->text().substr(written.begin, written.end - written.begin), "bowl");
+    EXPECT_EQ(written.source->text().substr(written.begin, written.end - written.begin),
+              "\"bowl\"");
     EXPECT_EQ(behind.compositing, camera::Compositing::order);
     const camera::Layer& front = picture.parts().layers.at(1);
     EXPECT_TRUE(front.show);

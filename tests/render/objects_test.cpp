@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include "balcony/picture.hpp"
+#include "balcony/picture_samples.hpp"
 #include "support.hpp"
 
 namespace balcony::render::test::objects_test {
@@ -298,12 +299,10 @@ TEST(Objects, FiltersOfNestedPicturesApplyTogether) {
         picture_of({layer("round", eye(), only({"ball*"}))}));
     Layer outer{"outer", inner};
     outer.objects = only({"ball 2"}, false);
-    const Film film =
-        render(still_life(), picture_of({std::move(outer)}), asked("direct", 1)).film;
-    const Film ball =
-        render(still_life(), picture_of({layer("ball", eye(), only({"ball 1"}))}),
-               asked("direct", 1))
-            .film;
+    const Film film = render(still_life(), picture_of({std::move(outer)}), asked("direct", 1)).film;
+    const Film ball = render(still_life(), picture_of({layer("ball", eye(), only({"ball 1"}))}),
+                             asked("direct", 1))
+                          .film;
     EXPECT_TRUE(are_same(film.sum, ball.sum));
 }
 
@@ -331,13 +330,40 @@ TEST(Objects, RegionsAreThoseOfTheWhole) {
 TEST(Objects, UnknownNamesAreErrors) {
     const Renderer renderer = renderer_of(still_life());
     Result<Film> film = make_film(asked("direct").layout);
-    const camera::Picture picture = picture_of({layer("rest", eye(), only({"ball*"}, false)),
-                                                layer("board", eye(), only({"bord"}))});
+    const camera::Picture picture = picture_of(
+        {layer("rest", eye(), only({"ball*"}, false)), layer("board", eye(), only({"bord"}))});
     const Result<Summary> summary = render::render(renderer, picture, asked("direct"), *film);
     ASSERT_FALSE(summary);
     const std::string text = to_text(summary.diagnostics);
     EXPECT_NE(text.find("layer 2 shows 'bord'"), std::string::npos) << text;
     EXPECT_NE(text.find("did you mean 'board'"), std::string::npos) << text;
+}
+
+TEST(Objects, SomeHaveNoTriangles) {
+    scene::Scene scene = still_life();
+    add(scene, scene::Mesh{}, white());
+    scene.objects.back().name = "nothing";
+    const auto with = [&](camera::ObjectFilter objects) {
+        return render(scene, picture_of({layer("a", eye(), std::move(objects))}),
+                      asked("direct", 1))
+            .film.sum;
+    };
+    EXPECT_EQ(with(only({"nothing"})), std::vector<Color4d>(96 * 72, Color4d(0.0)));
+    EXPECT_EQ(with(only({"nothing"}, false)), with(only({"ball*", "board", "wall"})));
+}
+
+TEST(Objects, OtherRenderersRefuseThem) {
+    const SampleSettings settings{.width = 8, .height = 8};
+    const auto said = [&](std::vector<Layer> layers) {
+        return to_text(PictureSamples::make(picture_of(std::move(layers)), settings).diagnostics);
+    };
+    EXPECT_EQ(said({layer("all", eye(), {})}), "");
+    EXPECT_NE(said({layer("all", eye(), {}), layer("ball", eye(), only({"ball*"}))})
+                  .find("layer 'ball' shows some objects"),
+              std::string::npos);
+    EXPECT_NE(
+        said({layer("a", eye(), {}), layer("b", eye(), {}, Compositing::depth)}).find("by depth"),
+        std::string::npos);
 }
 
 TEST(ObjectsByDepth, NeedAMasterAndCameras) {

@@ -29,7 +29,8 @@ TEST(ObjectNames, ANameIsThatOfAllObjectsThatHaveIt) {
 }
 
 TEST(ObjectNames, PatternsStandForCharacters) {
-    const Scene scene = with_objects({"vase 1", "vase 2", "vase 12", "big vase", "", "abab", "aab"});
+    const Scene scene =
+        with_objects({"vase 1", "vase 2", "vase 12", "big vase", "", "abab", "aab"});
     EXPECT_EQ(objects_named(scene, "vase*"), (Found{0, 1, 2}));
     EXPECT_EQ(objects_named(scene, "*vase*"), (Found{0, 1, 2, 3}));
     EXPECT_EQ(objects_named(scene, "vase ?"), (Found{0, 1}));
