@@ -52,10 +52,9 @@ std::vector<std::uint32_t> objects_that(const Scene& scene, const Is& is) {
 std::vector<std::uint32_t> objects_named(const Scene& scene, std::string_view name) {
     std::vector<std::uint32_t> found =
         objects_that(scene, [name](const std::string& own) { return own == name; });
-    return !found.empty() ? std::move(found)
-                          : objects_that(scene, [name](const std::string& own) {
-                                return matches(name, own);
-                            });
+    return !found.empty()
+               ? std::move(found)
+               : objects_that(scene, [name](const std::string& own) { return matches(name, own); });
 }
 
 Diagnostic no_object(const Scene& scene, std::string message, std::string_view name,

@@ -44,8 +44,7 @@ private:
                                   const Emitter& emit) {
         const auto coordinate = [&](std::size_t k) {
             const Expr first = emit(points[0][k]);
-            return first + p.u * (emit(points[1][k]) - first) +
-                   p.v * (emit(points[2][k]) - first);
+            return first + p.u * (emit(points[1][k]) - first) + p.v * (emit(points[2][k]) - first);
         };
         return {coordinate(0), coordinate(1)};
     }

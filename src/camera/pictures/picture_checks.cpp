@@ -95,7 +95,8 @@ void check_layer(const Layer& layer, Diagnostics& diagnostics) {
     }
 }
 
-// How layers are composited. Depths are compared along the rays of a camera, and of what cameras see.
+// How layers are composited. Depths are compared along the rays of a camera, and of what cameras
+// see.
 void check_compositing(const Picture::Parts& parts, Diagnostics& diagnostics) {
     for (std::size_t i = 0; i < parts.layers.size(); ++i) {
         const Layer& layer = parts.layers[i];
@@ -110,10 +111,9 @@ void check_compositing(const Picture::Parts& parts, Diagnostics& diagnostics) {
         }
         if (layer.compositing == Compositing::weight) {
             if (!layer.weight) {
-                diagnostics.push_back(
-                    error(fmt::format("layer '{}' is composited by a weight that is missing",
-                                      layer.name),
-                          {}, "give it a formula of the point of the picture"));
+                diagnostics.push_back(error(
+                    fmt::format("layer '{}' is composited by a weight that is missing", layer.name),
+                    {}, "give it a formula of the point of the picture"));
             }
             continue;
         }
