@@ -17,8 +17,8 @@ from plate import all_plates, bounds_text, number_text
 
 INTRODUCTION = """# The plates
 
-The fifteen plates of "Ray Tracing with Extended Cameras" (H. Löffelmann and E. Gröller, 1996) and five
-more. The scenes are Balcony's own, and so are the pictures that hang in them. Each plate has a stated
+The fifteen plates of "Ray Tracing with Extended Cameras" (H. Löffelmann and E. Gröller, 1996) and more.
+The scenes are Balcony's own, and so are the pictures that hang in them. Each plate has a stated
 property, which a test measures from the layers of a small render: the numbers below.
 
 ```sh

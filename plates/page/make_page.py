@@ -112,7 +112,7 @@ def page_html(plates, properties):
 <header>
 <h1>The plates</h1>
 <p>The fifteen plates of “Ray Tracing with Extended Cameras” (H. Löffelmann and E. Gröller, 1996),
-rendered by Balcony with scenes of its own, and five more. The slider above a picture brings in the
+rendered by Balcony with scenes of its own, and more. The slider above a picture brings in the
 view of the same scene through a pinhole.</p>
 </header>
 <nav>{thumbnails}</nav>

@@ -14,6 +14,7 @@
 #include "scenes/corner/corner.hpp"
 #include "scenes/dancer/dancer.hpp"
 #include "scenes/gallery/gallery.hpp"
+#include "scenes/kitchen_table/kitchen_table.hpp"
 #include "scenes/knot/knot.hpp"
 #include "scenes/marbles/marbles.hpp"
 #include "scenes/plant/plant.hpp"
@@ -37,6 +38,7 @@ constexpr std::array scenes{
              make_corner},
     SceneRow{"dancer", "a porcelain dancer on a turntable (plate 17)", make_dancer},
     SceneRow{"gallery", "a closed room with seven pictures (plates 1 to 3)", make_gallery},
+    SceneRow{"kitchen_table", "a still life after Cézanne (plate 23)", make_kitchen_table},
     SceneRow{"knot", "a knotted, coloured tube, for pictures that hang", make_knot},
     SceneRow{"marbles", "marbles of all colours, for pictures that hang", make_marbles},
     SceneRow{"plant", "a plant in a pot by a window: a picture of plates 9 to 11", make_plant},
