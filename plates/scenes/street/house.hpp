@@ -31,11 +31,12 @@ struct Plan {
     double set_back = 0.0;
 };
 
-/// Materials that all houses share.
+/// Materials that all houses and streets share.
 struct Stock {
     scene::TextureUse brick, plaster, tiles;
     scene::MaterialIndex stone, paint, glass, curtain, lamplight, slate, clay, iron, sides, leaves,
         flowers;
+    scene::MaterialIndex road, walk;  ///< Of the ground.
 };
 
 [[nodiscard]] Stock make_stock(SceneBuilder& builder);

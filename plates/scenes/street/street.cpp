@@ -141,16 +141,6 @@ private:
 
     void add_ground(const Stock& stock) {
         const double curb = 4.4;
-        const auto paved = [&](const char* name, const Painter& painter, float roughness) {
-            scene::Material material;
-            material.name = name;
-            material.base_color = scene::Color3f(1.0F);
-            material.base_color_texture = tiled(builder_, name, painter, 256, 2.0, 2.0);
-            material.roughness = roughness;
-            return builder_.material(material);
-        };
-        const MaterialIndex road = paved("setts", setts, 0.6F);
-        const MaterialIndex walk = paved("slabs", slabs, 0.8F);
         const auto put = [&](const char* name, const MeshBuilder& built, MaterialIndex material) {
             builder_.place(name, builder_.mesh(name, built.mesh(), material));
         };
@@ -159,7 +149,7 @@ private:
         put("roadway",
             MeshBuilder().quad(V3d(west, -curb, 0), V3d(east, -curb, 0), V3d(east, curb, 0),
                                V3d(west, curb, 0)),
-            road);
+            stock.road);
         MeshBuilder walks, curbs, rails, stripes;
         for (const double side : {1.0, -1.0}) {
             const double near = side > 0 ? curb + 0.2 : -half_width - 12.0;
@@ -179,7 +169,7 @@ private:
             const double y = -4.05 + 0.9 * i;
             stripes.box(V3d(69.0, y - 0.27, -0.05), V3d(72.4, y + 0.27, 0.008));
         }
-        put("pavements", walks, walk);
+        put("pavements", walks, stock.walk);
         put("curbs", curbs, stock.stone);
         scene::Material steel;
         steel.name = "rails";
@@ -227,6 +217,16 @@ Stock make_stock(SceneBuilder& builder) {
         material.roughness = roughness;
         return builder.material(material);
     };
+    const auto paved = [&](const char* name, const Painter& painter, float roughness) {
+        scene::Material material;
+        material.name = name;
+        material.base_color = scene::Color3f(1.0F);
+        material.base_color_texture = tiled(builder, name, painter, 256, 2.0, 2.0);
+        material.roughness = roughness;
+        return builder.material(material);
+    };
+    stock.road = paved("setts", setts, 0.6F);
+    stock.walk = paved("slabs", slabs, 0.8F);
     stock.stone = builder.material("sandstone", tint(0xe6dcc6), 0.85F);
     stock.paint = builder.material("white paint", tint(0xf1eee6), 0.5F);
     stock.clay = tiled_roof("clay tiles", 0xb0583a, 0.85F);
