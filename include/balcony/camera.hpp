@@ -46,6 +46,13 @@ struct LensExpressions {
     std::vector<expr::Substitution> fixed{};  ///< As those of LensRays.
 };
 
+/// How a bent ray goes on: from its origin straight to the first knot, from knot to knot, and from
+/// the last knot without end.
+struct BendExpressions {
+    std::vector<ObjectPoint> knots;  ///< At least one.
+    ObjectVector direction;          ///< Behind the last knot; unit length where valid.
+};
+
 /// The ray of a picture point, as expressions of picture x, picture y and time. If there is a lens,
 /// the ray is the one through its middle.
 struct RayExpressions {
@@ -56,6 +63,8 @@ struct RayExpressions {
     std::optional<LensExpressions> lens{};
     /// When the ray meets the scene, if that is not at time t; finite where valid.
     std::optional<Expr> time{};
+    /// Of a ray that is bent; origin and direction are then those of its first straight part.
+    std::optional<BendExpressions> bend{};
 };
 
 /// The change of a ray from pixel to pixel: its exact partial derivatives with respect to picture x
@@ -65,8 +74,16 @@ struct RayFootprint {
     ObjectVector direction_by_x, direction_by_y;  ///< Derivatives of the unit direction.
 };
 
+/// The change of a bent ray: of its knots and of its last direction.
+struct BendFootprint {
+    std::vector<ObjectVector> knots_by_x, knots_by_y;
+    ObjectVector direction_by_x, direction_by_y;
+};
+
 /// The derivatives are computed from the ray's expressions on request.
 [[nodiscard]] RayFootprint footprint(const RayExpressions& ray);
+/// The same for the rest of a ray that is bent.
+[[nodiscard]] BendFootprint footprint_of_bend(const RayExpressions& ray);
 
 /// The ray through the point of the aperture that the lens inputs name, as a ray without a lens.
 [[nodiscard]] RayExpressions through_lens(const RayExpressions& ray);
@@ -91,6 +108,7 @@ public:
         DirectionRulePointer look;
         StereoViewPointer stereo{};  ///< Null: the only view.
         LensPointer lens{};          ///< Null: a pinhole at the origin of each ray.
+        BendPointer bend{};          ///< Null: rays are straight. Not together with a lens.
         std::optional<Turn> turn{};  ///< Of the rays that all of this makes.
         /// When each ray meets the scene: a number of seconds as a formula of the point of the
         /// camera's own picture, in fractions from its top left corner. It replaces t in all other
@@ -101,6 +119,7 @@ public:
         std::optional<std::array<double, 2>> sides{};
         Axes axes = Axes::z_up;
         SourceSpan lens_span{};  ///< Where a file has the lens, for problems with the scene.
+        SourceSpan bend_span{};  ///< Where a file has the bend, for its problems.
         /// How a file writes its stages, for texts about the camera.
         std::map<const Stage*, std::string> written{};
         /// Further inputs of its formulas, such as parameters that a program may move, with values

@@ -33,6 +33,7 @@ enum class StageKind : std::uint8_t {
     stereo_view,
     lens,
     focus,
+    bend,
     clip_shape,
 };
 
@@ -54,6 +55,13 @@ struct FormulaShape {
     std::size_t min_results = 0;
     std::size_t max_results = 0;
     std::vector<FormulaFunction> functions{};  ///< Beside those that all formulas can call.
+    /// As texts write the parameters, with commas between them; (u, v) or (x, y, z) without it.
+    std::string_view names{};
+    bool may_have_fewer = false;  ///< A formula may leave out the last parameters.
+
+    [[nodiscard]] bool takes(std::size_t count) const {
+        return count == parameters || (may_have_fewer && count > 0 && count < parameters);
+    }
 };
 
 /// Point arguments of a stage, such as control points or seeds; consecutive in `values`.

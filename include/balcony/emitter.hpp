@@ -44,6 +44,8 @@ public:
         : graph_(&graph), valid_(graph.constant(1.0)), trial_(std::move(trial)) {}
 
     [[nodiscard]] Graph& graph() const { return *graph_; }
+    /// One that writes into another graph, for trials that leave nothing in this one.
+    [[nodiscard]] Emitter into(Graph& other) const { return {other, trial_}; }
     [[nodiscard]] Expr operator()(double value) const { return graph_->constant(value); }
     [[nodiscard]] Expr operator()(const Scalar& value) const { return value.emit(*graph_); }
     /// Requires a condition; where it is false, there is no ray.

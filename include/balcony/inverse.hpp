@@ -38,6 +38,8 @@ struct Sighting {
     V3d origin;             ///< The origin of the ray, in the axes of the points.
     double distance = 0.0;  ///< Along the ray, in scene units; not negative.
     double miss = 0.0;      ///< The distance between the point and the ray, in scene units.
+    /// Where a bent ray turns on its way from the origin to the point.
+    std::vector<V3d> turns{};
 };
 
 /// Finds points in a picture, or in that of a single camera, of one size, at one time. Immutable,

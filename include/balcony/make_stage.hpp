@@ -129,7 +129,7 @@ struct PortsByKind {
 /// In the order of StageKind.
 using StagePorts =
     PortsByKind<PictureArranger, PictureMapper, ParameterTransformer, ObjectGenerator,
-                ObjectTransformer, DirectionRule, StereoView, Lens, FocusSurface, ClipShape>;
+                ObjectTransformer, DirectionRule, StereoView, Lens, FocusSurface, Bend, ClipShape>;
 
 template <class Port>
 consteval StageKind kind_of() {

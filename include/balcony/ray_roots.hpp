@@ -5,6 +5,7 @@
 // The formulas of a camera's ray, as a list of numbers to compute.
 
 #include <cstddef>
+#include <string_view>
 #include <vector>
 
 #include "balcony/base.hpp"
@@ -32,5 +33,14 @@ struct RayRoots {
 [[nodiscard]] std::vector<expr::Expr> ray_roots(const camera::RayExpressions& ray,
                                                 bool through_lens, bool footprints, Axes from,
                                                 Axes to);
+
+/// The error of those who take straight rays only, for a camera that bends its rays; its name may
+/// be unknown.
+[[nodiscard]] Diagnostic bent_rays_error(std::string_view camera = {}, const SourceSpan& bend = {});
+
+/// The formulas of the rest of a bent ray, in the same way: its last direction, its knots, and with
+/// footprints the derivatives of all these by picture x, and then by y.
+[[nodiscard]] std::vector<expr::Expr> bend_roots(const camera::RayExpressions& ray, bool footprints,
+                                                 Axes from, Axes to);
 
 }  // namespace balcony::rays

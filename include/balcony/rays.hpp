@@ -46,6 +46,9 @@ struct CompileOptions {
     bool parameters = true;   ///< Include (u, v) of the eye object.
     bool tiles = true;        ///< Allow running over tiles.
     bool points = false;      ///< Allow running over lists of points.
+    /// Whether bent rays are followed, by RayBatch::part(). Otherwise a camera with a bend is an
+    /// error, because all else is that of the first straight part of its rays.
+    bool bends = false;
     /// Inputs of the rays besides picture x and y and time, such as a parameter that a live view
     /// moves. Tile and Points carry the values, in this order. With both inputs of a lens
     /// (camera::lens_input_x and _y), the rays of cameras with a lens pass through that point of
@@ -92,6 +95,17 @@ public:
     }
     [[nodiscard]] Ray operator[](std::size_t i) const;
 
+    /// How many straight parts each ray has: 1, or more if the camera bends its rays.
+    [[nodiscard]] std::size_t part_count() const { return roots_.knots + 1; }
+    struct Part {
+        V3d origin;
+        V3d direction;  ///< Unit length; undefined if the part has no length.
+        double length;  ///< Infinite for the last part.
+    };
+    [[nodiscard]] Part part(std::size_t i, std::size_t number) const;
+    /// A part with a length as a ray that begins where the part does; part 0 is the ray itself.
+    [[nodiscard]] Ray ray_of_part(std::size_t i, std::size_t number) const;
+
     /// The values of all rays in parallel arrays, by axis; `valid` is 1 where there is a ray.
     struct Arrays {
         std::array<const double*, 3> origin;
@@ -122,13 +136,26 @@ private:
         bool footprints = false;
         bool times = false;
         bool parameters = false;
+        std::size_t knots = 0;  // Of a bend, which has at least one.
 
         [[nodiscard]] std::size_t time() const {
             return footprints ? RayRoots::end_of_footprints : RayRoots::end_of_ray;
         }
         [[nodiscard]] std::size_t parameter_u() const { return time() + (times ? 1 : 0); }
-        [[nodiscard]] std::size_t count() const { return parameter_u() + (parameters ? 2 : 0); }
+        [[nodiscard]] std::size_t bend() const { return parameter_u() + (parameters ? 2 : 0); }
+        /// The roots of a bend's last direction and knots, and as many of their derivatives by x
+        /// and by y.
+        [[nodiscard]] std::size_t bend_size() const { return knots == 0 ? 0 : 3 * (1 + knots); }
+        [[nodiscard]] std::size_t count() const {
+            return bend() + (footprints ? 3 : 1) * bend_size();
+        }
     };
+    /// What a bend has at one of its knots, from 1 on: 0 is its last direction.
+    enum class Slope : std::size_t { none, by_x, by_y };
+    [[nodiscard]] V3d of_bend(std::size_t i, std::size_t knot, Slope slope = Slope::none) const {
+        return vector(
+            roots_.bend() + static_cast<std::size_t>(slope) * roots_.bend_size() + 3 * knot, i);
+    }
 
     [[nodiscard]] V3d vector(std::size_t root, std::size_t i) const {
         return {values_[root][i], values_[root + 1][i], values_[root + 2][i]};
@@ -158,6 +185,8 @@ public:
     [[nodiscard]] bool has_times() const { return roots_.times; }
     /// Whether the rays depend on the inputs of a lens.
     [[nodiscard]] bool has_lens() const { return lens_; }
+    /// As RayBatch::part_count().
+    [[nodiscard]] std::size_t part_count() const { return roots_.knots + 1; }
     /// What a ray costs by itself, in instructions.
     [[nodiscard]] std::size_t instruction_count() const;
 

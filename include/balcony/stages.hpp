@@ -234,6 +234,22 @@ public:
     [[nodiscard]] bool is_pinhole() const final { return radius().constant() == 0.0; }
 };
 
+// --------------------------------------------------------------------------------------- bends
+
+/// The path of a ray that is bent: straight from knot to knot, and straight on from the last one.
+struct BentPath {
+    std::vector<ObjectPoint>
+        knots;               ///< At least two. Two that are equal have nothing between them.
+    ObjectVector direction;  ///< Behind the last knot; of any length except 0.
+};
+
+/// How the rays of a camera go through space.
+class Bend : public Stage {
+public:
+    /// The path of a ray that would be straight without it.
+    [[nodiscard]] virtual BentPath path(const CentralRay& ray, Emitter& emit) const = 0;
+};
+
 // -------------------------------------------------------------------------------------- layers
 
 /// The visible part of an image: a shape in the image's rectangle.
@@ -261,6 +277,7 @@ using DirectionRulePointer = std::shared_ptr<const DirectionRule>;
 using ClipShapePointer = std::shared_ptr<const ClipShape>;
 using FocusSurfacePointer = std::shared_ptr<const FocusSurface>;
 using LensPointer = std::shared_ptr<const Lens>;
+using BendPointer = std::shared_ptr<const Bend>;
 using StereoViewPointer = std::shared_ptr<const StereoView>;
 
 }  // namespace balcony::camera

@@ -67,6 +67,7 @@ struct CameraCheck {
         std::string number;  ///< "2", or "3.1" in the picture of layer 3.
     };
     bool has_lens = false;  ///< The report is about the rays through its centre.
+    bool has_bend = false;  ///< The report is about the first straight parts of its rays.
     bool by_itself = true;  ///< Whether it was also asked for on its own.
     std::vector<Layer> layers{};
 

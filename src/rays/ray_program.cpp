@@ -25,6 +25,9 @@ Result<RayProgram> RayProgram::make(const camera::RayExpressions& ray, Axes axes
     if (!options.tiles && !options.points) {
         return error(Kind::internal, "rays are compiled for tiles or for points");
     }
+    if (ray.bend && !options.bends) {
+        return bent_rays_error();
+    }
     const bool lens = ray.lens && declares(options, camera::lens_input_x) &&
                       declares(options, camera::lens_input_y);
     std::vector<expr::Expr> roots =
@@ -35,7 +38,14 @@ Result<RayProgram> RayProgram::make(const camera::RayExpressions& ray, Axes axes
     if (options.parameters) {
         roots.insert(roots.end(), {ray.parameters.u, ray.parameters.v});
     }
-    RayProgram made({options.footprints, ray.time.has_value(), options.parameters}, lens);
+    if (ray.bend) {
+        const auto rest =
+            bend_roots(ray, options.footprints, axes_of_ray, options.axes.value_or(axes_of_ray));
+        roots.insert(roots.end(), rest.begin(), rest.end());
+    }
+    RayProgram made({options.footprints, ray.time.has_value(), options.parameters,
+                     ray.bend ? ray.bend->knots.size() : 0},
+                    lens);
     Diagnostics found;
     if (options.tiles) {
         made.for_tiles_ =
@@ -73,6 +83,9 @@ void RayProgram::run(const Points& points, Scratch& scratch, RayBatch& rays) con
 
 Result<RayProgram> compile(const camera::Camera& camera, double width, double height,
                            const CompileOptions& options, const std::stop_token& stop) {
+    if (camera.parts().bend && !options.bends) {
+        return bent_rays_error(camera.name(), camera.parts().bend_span);
+    }
     return within_limits<RayProgram>("camera", camera.name(), {width, height}, stop,
                                      [&](auto& graph) {
                                          return RayProgram::make(camera.emit(graph, width, height),

@@ -3,6 +3,8 @@
 
 #include "balcony/ray_roots.hpp"
 
+#include <fmt/format.h>
+
 namespace balcony::rays {
 
 std::vector<expr::Expr> ray_roots(const camera::RayExpressions& central, bool through_lens,
@@ -23,6 +25,34 @@ std::vector<expr::Expr> ray_roots(const camera::RayExpressions& central, bool th
         add(slopes.origin_by_y);
         add(slopes.direction_by_x);
         add(slopes.direction_by_y);
+    }
+    return roots;
+}
+
+Diagnostic bent_rays_error(std::string_view camera, const SourceSpan& bend) {
+    return error(fmt::format("the rays of {} are bent, but only straight rays are taken here",
+                             camera.empty() ? "this camera" : fmt::format("camera '{}'", camera)),
+                 bend, "remove its bend");
+}
+
+std::vector<expr::Expr> bend_roots(const camera::RayExpressions& ray, bool footprints, Axes from,
+                                   Axes to) {
+    std::vector<expr::Expr> roots;
+    const auto add = [&](const auto& direction, const auto& knots) {
+        const auto add_one = [&](const auto& vector) {
+            const auto v = turned(vector, from, to);
+            roots.insert(roots.end(), {v.x, v.y, v.z});
+        };
+        add_one(direction);
+        for (const auto& knot : knots) {
+            add_one(knot);
+        }
+    };
+    add(ray.bend->direction, ray.bend->knots);
+    if (footprints) {
+        const camera::BendFootprint slopes = camera::footprint_of_bend(ray);
+        add(slopes.direction_by_x, slopes.knots_by_x);
+        add(slopes.direction_by_y, slopes.knots_by_y);
     }
     return roots;
 }

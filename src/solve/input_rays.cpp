@@ -65,6 +65,9 @@ Result<InputRays> InputRays::make(const camera::Camera& camera, double width, do
                                   const std::vector<std::string>& inputs,
                                   const std::vector<Constraint>& shapes,
                                   const std::stop_token& stop) {
+    if (camera.parts().bend) {
+        return rays::bent_rays_error(camera.name(), camera.parts().bend_span);
+    }
     const auto make = [&](expr::Graph& graph) -> Result<InputRays> {
         const camera::RayExpressions ray = camera.emit(graph, width, height);
         const Axes axes = camera.parts().axes;

@@ -61,6 +61,7 @@ Arguments::StagePointer some_stage(StageKind kind) {
         case StageKind::stereo_view: return *try_stage(kind, "stereo", {});
         case StageKind::lens: return *try_stage(kind, "lens", {});
         case StageKind::focus: return *try_stage(kind, "distance", {});
+        case StageKind::bend: return *try_stage(kind, "pinholes", {});
         case StageKind::clip_shape: return *try_stage(kind, "ellipse", {});
     }
     return nullptr;

@@ -186,7 +186,7 @@ TEST(Footprint, EqualsTheNeighbourDifference) {
         rays::RayBatch grid;
         rays::Scratch scratch;
         program->run({10.5, 20.5, step, 3, 3, 0.0}, scratch, grid);
-        const RayDifferentials exact = differentials(grid, 4, 1.0);
+        const RayDifferentials exact = differentials(grid, 4, 0, 1.0);
         const auto near = [&](const V3f& found, const V3d& after, const V3d& before) {
             const V3d difference = (after - before) / (2.0 * step);
             EXPECT_NEAR(found.x, difference.x, 1e-6);
@@ -215,7 +215,7 @@ TEST(Footprint, IsSharpWhereADerivativeIsNotFinite) {
     rays::Scratch scratch;
     // u is 0 in the middle column.
     program->run({4.5, 2.5, 1.0, 1, 1, 0.0}, scratch, grid);
-    const RayDifferentials d = differentials(grid, 0, 1.0);
+    const RayDifferentials d = differentials(grid, 0, 0, 1.0);
     EXPECT_EQ(d.origin_x, V3f(0.0F));
     EXPECT_NE(d.origin_y, V3f(0.0F));
 }

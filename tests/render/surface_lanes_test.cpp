@@ -43,14 +43,14 @@ TEST(PacketLanes, DifferentialsAreThoseOfEachRay) {
     packet_lanes::Differentials found;
     for (std::size_t top = 0; top < height; top += Packet::side) {
         for (std::size_t left = 0; left < width; left += Packet::side) {
-            set_differentials(batch, {width, left, top}, part, found);
+            set_differentials(batch, {width, left, top}, {}, part, found);
             for (std::size_t lane = 0; lane < Packet::size; ++lane) {
                 const std::size_t x = left + lane % Packet::side;
                 const std::size_t y = top + lane / Packet::side;
                 if (x >= width || y >= height) {
                     continue;
                 }
-                const RayDifferentials expected = differentials(batch, y * width + x, part);
+                const RayDifferentials expected = differentials(batch, y * width + x, 0, part);
                 EXPECT_EQ(found.of(lane).origin_x, expected.origin_x);
                 EXPECT_EQ(found.of(lane).origin_y, expected.origin_y);
                 EXPECT_EQ(found.of(lane).direction_x, expected.direction_x);

@@ -78,6 +78,23 @@ TEST(Solve, DeviationsAreThoseOfTheNoise) {
     }
 }
 
+TEST(Solve, RefusesBentRays) {
+    const lang::OpenCamera camera =
+        open(std::make_shared<const SourceText>(
+                 "bent.cam",
+                 "camera bent(turn = 0deg) { map u = 1 .. -1, v = square  eye point  "
+                 "toward plane((1, 0, 0))  move rotate(z, turn)  "
+                 "bend pinholes([(10, 0, 0), (10, 20, 0)]) }"),
+             "", {"turn"});
+    Problem problem = problem_of(camera);
+    problem.marks = {{{1, 0.3, 0}, true}, {{1, -0.3, 0}, true}};
+    problem.constraints = {{ConstraintKind::level, {0, 1}}};
+    const auto made = solve(camera.camera, width, height, problem);
+    EXPECT_FALSE(made);
+    EXPECT_NE(to_text(made.diagnostics).find("the rays of camera 'bent' are bent"),
+              std::string::npos);
+}
+
 TEST(Solve, AHorizonIsLevel) {
     const lang::OpenCamera camera = aimed_camera({"roll"});
     Problem problem = problem_of(camera);

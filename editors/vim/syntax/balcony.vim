@@ -6,7 +6,7 @@ endif
 syntax match balconyStage /\<\h\w*\ze\s*(/
 syntax match balconyParameter /\<\h\w*\ze\s*=\_[^=]/
 syntax keyword balconyItem import let camera picture layer
-syntax match balconyStatement /^\s*\zs\(map\|eye\|toward\|morph\|object\|warp\|move\|look\|for\|arrange\|place\|fit\|fill\|stretch\|show\|hide\|clip\|soft\|alpha\|blend\|frame\|scale_bar\|leader\|stereo\|channels\|lens\|time\|aspect\|axes\)\>/
+syntax match balconyStatement /^\s*\zs\(map\|eye\|toward\|morph\|object\|warp\|move\|look\|for\|arrange\|place\|fit\|fill\|stretch\|show\|hide\|clip\|soft\|alpha\|blend\|frame\|scale_bar\|leader\|stereo\|channels\|lens\|bend\|time\|aspect\|axes\)\>/
 syntax match balconyStatement /\<\(above\|from\|to\)\>\ze\s\+[^= ]/
 syntax keyword balconyConstant pi t square z_up y_up
 syntax keyword balconyFunction abs acos acosh asin asinh atan atan2 atanh cos cosh exp floor

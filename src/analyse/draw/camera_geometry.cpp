@@ -27,6 +27,7 @@ struct Shown {
     V3d origin, direction;
     std::optional<double>
         reach;  ///< The distance to the point of the direction object, if it passes through that.
+    std::vector<rays::RayBatch::Part> path{};  ///< Of a bent ray.
 };
 
 std::optional<double> reach_of(const Ray& ray, const V3d& origin, const V3d& direction,
@@ -39,6 +40,15 @@ std::optional<double> reach_of(const Ray& ray, const V3d& origin, const V3d& dir
     const double distance = there.length();
     return distance > 0.0 && there.dot(direction) > aligned * distance ? std::optional(distance)
                                                                        : std::nullopt;
+}
+
+std::vector<rays::RayBatch::Part> path_of(RayField& field, const V2d& place, Axes axes) {
+    std::vector<rays::RayBatch::Part> path = field.path_at(place);
+    for (rays::RayBatch::Part& part : path) {
+        part.origin = turned(part.origin, axes, Axes::z_up);
+        part.direction = turned(part.direction, axes, Axes::z_up);
+    }
+    return path;
 }
 
 Result<std::vector<Shown>> shown_rays(const camera::Camera& camera, const Depiction& depiction,
@@ -60,7 +70,8 @@ Result<std::vector<Shown>> shown_rays(const camera::Camera& camera, const Depict
     for (std::size_t i = 0; i < grid.columns * grid.rows; ++i) {
         const V2d picture = grid.at(static_cast<double>(i % grid.columns) + 0.5,
                                     static_cast<double>(i / grid.columns) + 0.5);
-        const Ray ray = field->at(picture * picture_height * V2d(geometry.aspect, 1.0));
+        const V2d place = picture * picture_height * V2d(geometry.aspect, 1.0);
+        const Ray ray = field->at(place);
         if (ray.valid && !is_near(ray.origin)) {
             geometry.far_rays = true;
         } else if (ray.valid) {
@@ -69,6 +80,9 @@ Result<std::vector<Shown>> shown_rays(const camera::Camera& camera, const Depict
             const V3d direction = turned(ray.direction, axes, Axes::z_up);
             const auto toward = geometry.toward ? geometry.toward->at(picture) : std::nullopt;
             shown.push_back({origin, direction, reach_of(ray, origin, direction, toward)});
+            if (camera.parts().bend) {
+                shown.back().path = path_of(*field, place, axes);
+            }
         }
     }
     return shown;
@@ -84,6 +98,25 @@ double median_reach(const std::vector<Shown>& rays) {
     return median(std::move(all)).value_or(0.0);
 }
 
+// A bent ray up to a length; without one, the whole bend and a little more.
+void add_bent_arrow(const std::vector<rays::RayBatch::Part>& path,
+                    const std::optional<double>& length, std::vector<Arrow>& made) {
+    constexpr double beyond = 1.1;
+    double bend = 0.0;
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+        bend += path[i].length;
+    }
+    double left = length.value_or(beyond * bend);
+    for (const auto& [origin, direction, part_length] : path) {
+        const double shown = std::min(part_length, left);
+        left -= shown;
+        if (shown > 0.0 && is_near(origin + shown * direction)) {
+            made.push_back({origin, origin + shown * direction, false});
+            made.back().has_head = !(left > 0.0);
+        }
+    }
+}
+
 std::vector<Arrow> arrows(const std::vector<Shown>& rays, const Depiction& depiction,
                           double object_size) {
     constexpr double of_object = 0.16;  // The length of an arrow without a target point.
@@ -95,6 +128,10 @@ std::vector<Arrow> arrows(const std::vector<Shown>& rays, const Depiction& depic
                                                : 1.0;
     std::vector<Arrow> made;
     for (const Shown& ray : rays) {
+        if (ray.path.size() > 1) {
+            add_bent_arrow(ray.path, depiction.length, made);
+            continue;
+        }
         const double own = ray.reach ? std::min(*ray.reach * beyond, usual * longest) : without;
         made.push_back({ray.origin, ray.origin + depiction.length.value_or(own) * ray.direction});
     }

@@ -16,6 +16,7 @@ namespace balcony::analyse {
 
 struct Arrow {
     V3d from, to;
+    bool has_head = true;
 };
 
 /// A grid over the picture whose lines are slightly inside its border, like the outermost pixel

@@ -273,7 +273,7 @@ void append(std::vector<DrawingItem>& to, std::vector<DrawingItem> from) {
     to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
 }
 
-/// An arrow: a line in separately sorted parts, and a cone.
+/// An arrow: a line in separately sorted parts, and a cone, if it has a head.
 std::vector<DrawingItem> arrow_items(const Arrow& arrow, DrawingPart part,
                                      const DrawingColor& color, double width, double head,
                                      const DrawingViewer& viewer) {
@@ -283,12 +283,16 @@ std::vector<DrawingItem> arrow_items(const Arrow& arrow, DrawingPart part,
         return items;
     }
     const V3d direction = along.normalized();
-    const V3d neck = arrow.to - std::min(head, 0.5 * along.length()) * direction;
-    constexpr int parts = 6;
+    const V3d neck =
+        arrow.to - (arrow.has_head ? std::min(head, 0.5 * along.length()) : 0.0) * direction;
+    const int parts = arrow.has_head ? 6 : 1;
     for (int i = 0; i < parts; ++i) {
         const V3d a = arrow.from + (neck - arrow.from) * (static_cast<double>(i) / parts);
         const V3d b = arrow.from + (neck - arrow.from) * (static_cast<double>(i + 1) / parts);
         items.push_back({part, {a, b}, color, width, 1.0, false, viewer.distance(0.5 * (a + b))});
+    }
+    if (!arrow.has_head) {
+        return items;
     }
     const V3d aside =
         (std::abs(direction.z) < 0.9 ? V3d(0, 0, 1) : V3d(1, 0, 0)).cross(direction).normalized();

@@ -282,10 +282,14 @@ private:
             if (!(length > 0.0)) {
                 continue;
             }
-            const double head = std::min(0.035 * size_, 0.5 * length);
+            const double size = 0.035 * size_;
+            const double head = ray.has_head ? std::min(size, 0.5 * length) : 0.0;
+            const double thick = 0.09 * (ray.has_head ? head : size);
             const V3d neck = ray.to - head / length * (ray.to - ray.from);
-            solids.add_frustum(ray.from, neck, 0.09 * head, 0.09 * head);
-            solids.add_frustum(neck, ray.to, 0.3 * head, 0.0);
+            solids.add_frustum(ray.from, neck, thick, thick);
+            if (ray.has_head) {
+                solids.add_frustum(neck, ray.to, 0.3 * head, 0.0);
+            }
         }
         return mesh;
     }

@@ -25,6 +25,9 @@ namespace {
 // Sightings closer to each other than this, in pixels, are merged.
 constexpr double same_place = 1e-3;
 
+// Each straight part of bent rays is searched by itself.
+constexpr std::size_t max_searched_parts = 64;
+
 // Clamps a position that rounding moved outside; nothing if it is really outside.
 std::optional<V2d> inside(const V2d& place, const V2d& picture) {
     constexpr double rounding = 1e-6;
@@ -68,6 +71,22 @@ void tidy(std::vector<Sighting>& found) {
         }
     }
     found.resize(kept);
+}
+
+// The end of a straight part of bent rays is the beginning of the next: a point there is found on
+// both. They are in order.
+void remove_doubles(std::vector<Sighting>& found) {
+    std::vector<Sighting> kept;
+    for (const Sighting& one : found) {
+        const auto is_same = [&](const Sighting& other) {
+            return other.point == one.point && other.layer == one.layer &&
+                   (other.position - one.position).length() <= same_place;
+        };
+        if (std::none_of(kept.begin(), kept.end(), is_same)) {
+            kept.push_back(one);
+        }
+    }
+    found = std::move(kept);
 }
 
 // Closed-form rays: the position, if there is a ray and the point is in front of its origin.
@@ -137,11 +156,38 @@ void search(const PointRays& rays, const RayTree& tree, const V2d& picture,
     });
 }
 
-// The search in one camera layer.
+// The lengths of bent rays count from the beginning of their paths. Leaves out sightings that are
+// not on the straight part that was searched.
+void keep_part(const PointRays& rays, std::vector<Sighting>& found, const Work& work) {
+    PointRays::Batch batch(rays, work);
+    std::size_t kept = 0;
+    for (std::size_t begin = 0; begin < found.size(); begin += program::max_points) {
+        const std::size_t count = std::min(program::max_points, found.size() - begin);
+        for (std::size_t i = 0; i < count; ++i) {
+            batch.place(i, found[begin + i].position);
+        }
+        batch.run(count);
+        for (std::size_t i = 0; i < count; ++i) {
+            PointRays::Batch::Path path = batch.path(i);
+            Sighting sighting = found[begin + i];
+            constexpr double rounding = 1e-9;
+            if (sighting.distance <= path.length + rounding * (path.before + path.length)) {
+                sighting.origin = path.origin;
+                sighting.distance += path.before;
+                sighting.turns = std::move(path.turns);
+                found[kept++] = sighting;
+            }
+        }
+    }
+    found.resize(kept);
+}
+
+// The search in one camera layer, along one straight part of its rays.
 class LayerIndex {
 public:
-    LayerIndex(const rays::VisibleLayer& layer, const V2d& picture, double time, const Work& work)
-        : name_(layer.name), picture_(picture), rays_(layer.rays, time) {
+    LayerIndex(const rays::VisibleLayer& layer, std::size_t number, std::size_t part,
+               const V2d& picture, double time, const Work& work)
+        : name_(layer.name), number_(number), picture_(picture), rays_(layer.rays, time, part) {
         Survey seen = survey(rays_, picture, work);
         linear_ = LinearRays::fit(seen);
         if (!linear_) {
@@ -154,6 +200,8 @@ public:
     }
 
     [[nodiscard]] const std::string& name() const { return name_; }
+    /// That of the layer.
+    [[nodiscard]] std::size_t number() const { return number_; }
     [[nodiscard]] bool closed_form() const { return linear_.has_value(); }
     [[nodiscard]] std::size_t patch_count() const { return tree_ ? tree_->patches().size() : 0; }
     /// Whether its patches are as small as they should be.
@@ -168,12 +216,16 @@ public:
         } else {
             search(rays_, *tree_, picture_, points, found, in_part, work);
         }
+        if (rays_.is_bent()) {
+            keep_part(rays_, found, work);
+        }
         tidy(found);
         return found;
     }
 
 private:
     std::string name_;
+    std::size_t number_;
     V2d picture_;
     PointRays rays_;
     std::optional<LinearRays> linear_;
@@ -215,15 +267,28 @@ class Locator::Index {
 public:
     Index(rays::VisibleLayers visible, const V2d& picture, double time, const Work& work)
         : visible_(std::move(visible)), time_(time) {
-        const auto count = static_cast<double>(visible_.layers().size());
+        std::size_t count = 0;
         for (const rays::VisibleLayer& layer : visible_.layers()) {
-            const auto number = static_cast<double>(layers_.size());
-            layers_.emplace_back(layer, picture, time,
-                                 work.part(number / count, (number + 1.0) / count));
+            count += layer.rays.part_count();
+        }
+        const auto part_of_work = [&](std::size_t i) {
+            return static_cast<double>(i) / static_cast<double>(count);
+        };
+        for (std::size_t number = 0; number < visible_.layers().size(); ++number) {
+            const rays::VisibleLayer& layer = visible_.layers()[number];
+            for (std::size_t part = 0; part < layer.rays.part_count(); ++part) {
+                layers_.emplace_back(
+                    layer, number, part, picture, time,
+                    work.part(part_of_work(layers_.size()), part_of_work(layers_.size() + 1)));
+            }
         }
     }
 
     [[nodiscard]] Axes axes() const { return visible_.layers().front().axes; }
+    [[nodiscard]] const std::vector<rays::VisibleLayer>& visible() const {
+        return visible_.layers();
+    }
+    /// A layer has one of these for each straight part of its rays.
     [[nodiscard]] const std::vector<LayerIndex>& layers() const { return layers_; }
 
     // Points beyond far_away are moved to that distance.
@@ -264,7 +329,7 @@ private:
             const Work own = work.part(static_cast<double>(number) / count,
                                        static_cast<double>(number + 1) / count);
             for (Sighting& sighting : layers_[number].locate(points, in_part, own)) {
-                sighting.layer = number;
+                sighting.layer = layers_[number].number();
                 all.push_back(sighting);
             }
         }
@@ -272,6 +337,9 @@ private:
             remove_hidden(visible_, time_, all);
         }
         std::stable_sort(all.begin(), all.end(), comes_before);
+        if (layers_.size() > visible_.layers().size()) {
+            remove_doubles(all);
+        }
         return all;
     }
 
@@ -290,12 +358,21 @@ Result<Locator> Locator::make(const camera::Picture& picture, double width, doub
 Result<Locator> Locator::make(const camera::Picture& picture, double width, double height,
                               double time, std::optional<Axes> axes, const Work& work) {
     Result<rays::VisibleLayers> visible = rays::compile_layers(
-        picture, width, height, {.axes = axes, .footprints = true, .tiles = false, .points = true},
+        picture, width, height,
+        {.axes = axes, .footprints = true, .tiles = false, .points = true, .bends = true},
         work.stop());
     if (!visible) {
         return visible.diagnostics;
     }
     const auto& layers = visible->layers();
+    for (const rays::VisibleLayer& layer : layers) {
+        if (layer.rays.part_count() > max_searched_parts) {
+            return error(fmt::format("the rays of '{}' have {} straight parts, of which points are "
+                                     "searched along at most {}",
+                                     layer.name, layer.rays.part_count(), max_searched_parts),
+                         {}, "give its bend a larger tolerance, or fewer parts");
+        }
+    }
     const auto differs = [&](const rays::VisibleLayer& one) { return one.axes != layers[0].axes; };
     if (std::any_of(layers.begin(), layers.end(), differs)) {
         return error(fmt::format("the cameras of picture '{}' have different axes", picture.name()),
@@ -320,8 +397,8 @@ Axes Locator::axes() const { return index_->axes(); }
 
 std::vector<std::string> Locator::layers() const {
     std::vector<std::string> names;
-    for (const LayerIndex& layer : index_->layers()) {
-        names.push_back(layer.name());
+    for (const rays::VisibleLayer& layer : index_->visible()) {
+        names.push_back(layer.name);
     }
     return names;
 }

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
 #include "analyse/measure/ray_field.hpp"
 #include "balcony/rays.hpp"
@@ -15,8 +16,12 @@ namespace balcony::analyse {
 /// A ray as a function of the picture at one time. Immutable.
 class PointRays {
 public:
-    /// `program` is compiled for points and with footprints.
-    PointRays(rays::RayProgram program, double time) : program_(std::move(program)), time_(time) {}
+    /// `program` is compiled for points and with footprints. Of bent rays it is one of their
+    /// straight parts, which goes on beyond its end.
+    PointRays(rays::RayProgram program, double time, std::size_t part = 0)
+        : program_(std::move(program)), time_(time), part_(part) {}
+
+    [[nodiscard]] bool is_bent() const { return program_.part_count() > 1; }
 
     /// What the ray of a point costs.
     [[nodiscard]] std::size_t instruction_count() const { return program_.instruction_count(); }
@@ -34,6 +39,15 @@ public:
         void run(std::size_t count);
         /// Valid only if the derivatives are finite too.
         [[nodiscard]] Ray ray(std::size_t i) const;
+        /// Where the ray's path begins, its turns and its length up to this part, and the length of
+        /// this part.
+        struct Path {
+            V3d origin;
+            std::vector<V3d> turns;
+            double before;
+            double length;
+        };
+        [[nodiscard]] Path path(std::size_t i) const;
 
     private:
         const PointRays* rays_;
@@ -47,6 +61,7 @@ public:
 private:
     rays::RayProgram program_;
     double time_;
+    std::size_t part_;
 };
 
 }  // namespace balcony::analyse

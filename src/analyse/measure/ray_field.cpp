@@ -32,7 +32,8 @@ Result<RayField> RayField::make(const camera::Camera& camera, double picture_wid
     work.go_on();
     Result<rays::RayProgram> program = rays::compile(
         camera, picture_width, picture_height,
-        {.footprints = derivatives == Derivatives::with, .points = true}, work.stop());
+        {.footprints = derivatives == Derivatives::with, .points = true, .bends = true},
+        work.stop());
     if (!program) {
         return program.diagnostics;
     }
@@ -61,6 +62,20 @@ std::vector<Ray> RayField::run(const SampleGrid& grid) {
 }
 
 Ray RayField::at(const V2d& point) { return at(std::span(&point, 1)).front(); }
+
+std::vector<rays::RayBatch::Part> RayField::path_at(const V2d& point) {
+    std::vector<rays::RayBatch::Part> path;
+    if (!at(point).valid) {
+        return path;
+    }
+    for (std::size_t number = 0; number < batch_.part_count(); ++number) {
+        const rays::RayBatch::Part part = batch_.part(0, number);
+        if (part.length > 0.0) {
+            path.push_back(part);
+        }
+    }
+    return path;
+}
 
 std::vector<Ray> RayField::at(std::span<const V2d> points) {
     work_.go_on();

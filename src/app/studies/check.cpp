@@ -238,6 +238,7 @@ private:
     void check_camera(const CheckSubject& subject, FileCheck& file) {
         CameraCheck check;
         check.has_lens = subject.camera.parts().lens != nullptr;
+        check.has_bend = subject.camera.parts().bend != nullptr;
         check.by_itself = subject.by_itself;
         check.layers = subject.layers;
         if (renderer_ && !look_at_scene(subject, check)) {

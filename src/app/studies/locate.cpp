@@ -39,14 +39,37 @@ LayersOfPicture layers_of(const camera::Picture& picture, std::size_t count) {
 Diagnostics look_for_obstacles(const render::Renderer& renderer,
                                const std::vector<camera::ObjectFilter>& objects, Located& located,
                                const std::stop_token& stop) {
+    // One line, or several for a bent ray.
     std::vector<render::SightLine> lines;
     lines.reserve(located.sightings.size());
     for (const analyse::Sighting& sighting : located.sightings) {
-        lines.push_back({sighting.origin, located.points[sighting.point],
-                         objects[sighting.layer].empty() ? nullptr : &objects[sighting.layer]});
+        const camera::ObjectFilter* const shown =
+            objects[sighting.layer].empty() ? nullptr : &objects[sighting.layer];
+        analyse::V3d from = sighting.origin;
+        for (const analyse::V3d& turn : sighting.turns) {
+            lines.push_back({from, turn, shown});
+            from = turn;
+        }
+        lines.push_back({from, located.points[sighting.point], shown});
     }
     auto found = render::find_obstacles(renderer, lines, located.axes, stop);
-    located.obstacles = std::move(found.value);
+    if (!found) {
+        return found.diagnostics;
+    }
+    located.obstacles.emplace();
+    std::size_t next = 0;
+    for (const analyse::Sighting& sighting : located.sightings) {
+        std::optional<render::Obstacle> first;
+        double before = 0.0;
+        for (std::size_t part = 0; part <= sighting.turns.size(); ++part, ++next) {
+            if ((*found)[next] && !first) {
+                first = (*found)[next];
+                first->distance += before;
+            }
+            before += (lines[next].to - lines[next].from).length();
+        }
+        located.obstacles->push_back(first);
+    }
     return found.diagnostics;
 }
 

@@ -164,6 +164,9 @@ const StageFormulas* stage_with(const CameraFormulas& made, NodeId node) {
 }
 
 Result<CameraFormulas> formulas_of(const camera::Camera& camera, const FormulaRequest& request) {
+    if (camera.parts().bend) {
+        return rays::bent_rays_error(camera.name(), camera.parts().bend_span);
+    }
     try {
         CameraFormulas made = emitted(camera, request);
         Diagnostics found = inexpressible(made, camera);

@@ -352,9 +352,10 @@ Binding bind(const StageEntry& row, std::span<const NamedValue> values) {
 std::optional<Diagnostic> shape_error(std::string_view name, const FormulaShape& shape,
                                       std::size_t parameters, std::size_t results) {
     const std::string written = fmt::format("the syntax is {}", signature(name, shape));
-    if (parameters != shape.parameters) {
-        return error(fmt::format("the formula '{}' has {} parameter{}, but this one has {}", name,
-                                 shape.parameters, shape.parameters == 1 ? "" : "s", parameters),
+    if (!shape.takes(parameters)) {
+        return error(fmt::format("the formula '{}' has {}{} parameter{}, but this one has {}", name,
+                                 shape.may_have_fewer ? "1 to " : "", shape.parameters,
+                                 shape.parameters == 1 ? "" : "s", parameters),
                      {}, written);
     }
     if (results < shape.min_results || results > shape.max_results) {

@@ -26,6 +26,7 @@ std::string_view name_of(StageKind kind) {
         case StageKind::stereo_view: return "stereo view";
         case StageKind::lens: return "lens";
         case StageKind::focus: return "focus";
+        case StageKind::bend: return "bend";
         case StageKind::clip_shape: return "clip shape";
     }
     assert(false);
@@ -40,8 +41,8 @@ std::string plural_of(StageKind kind) {
 std::string signature(std::string_view name, const FormulaShape& shape) {
     static constexpr std::array<std::string_view, 3> space = {"x", "y", "z"};
     static constexpr std::array<std::string_view, 2> parameter = {"u", "v"};
-    std::string names;
-    for (std::size_t i = 0; i < shape.parameters; ++i) {
+    std::string names(shape.names);
+    for (std::size_t i = 0; shape.names.empty() && i < shape.parameters; ++i) {
         const bool in_space = shape.parameters > parameter.size();
         names += fmt::format("{}{}", i == 0 ? "" : ", ",
                              in_space ? space[std::min(i, space.size() - 1)] : parameter[i]);

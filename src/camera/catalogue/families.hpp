@@ -102,6 +102,9 @@ StageResult as_stage(Result<std::shared_ptr<const Port>> made) {
 [[nodiscard]] std::vector<StageEntry> lenses();
 [[nodiscard]] std::vector<StageEntry> prescribed_lenses();
 [[nodiscard]] std::vector<StageEntry> focus_surfaces();
+[[nodiscard]] std::vector<StageEntry> curve_bend();
+[[nodiscard]] std::vector<StageEntry> field_bend();
+[[nodiscard]] std::vector<StageEntry> pinhole_chain();
 
 /// A family's rows, and what they need not say one by one.
 struct Family {
@@ -156,6 +159,9 @@ inline constexpr std::array families = {
     Family{lenses, StageKind::lens},
     Family{prescribed_lenses, StageKind::lens},
     Family{focus_surfaces, StageKind::focus},
+    Family{curve_bend, StageKind::bend},
+    Family{field_bend, StageKind::bend},
+    Family{pinhole_chain, StageKind::bend},
     Family{complex_maps, StageKind::parameter_transformer},
     Family{coins, StageKind::object_transformer},
     Family{deformations, StageKind::object_transformer},

@@ -154,6 +154,11 @@ Result<Camera> Camera::make(Parts parts, const std::stop_token& stop) {
                               parts.name, parts.aspect),
                   {}, "write the width of the picture divided by its height, such as 16/9"));
     }
+    if (parts.bend && parts.lens) {
+        diagnostics.push_back(error(
+            fmt::format("camera '{}' has a lens, but its rays are bent", parts.name),
+            parts.bend_span, "remove the lens or the bend: rays through a lens are straight"));
+    }
     if (has_errors(diagnostics)) {
         return diagnostics;
     }
@@ -203,8 +208,9 @@ RayExpressions ray_in_own_picture(const Camera::Parts& parts, const PicturePoint
         eye.point.x * eye.point.x + eye.point.y * eye.point.y + eye.point.z * eye.point.z;
     emit.require(min_squared_length < squared_length);
     emit.require(is_finite(squared_length + origin_size));
-    return {eye.point, (1.0 / sqrt(squared_length)) * direction, emit.valid(), eye.parameters, {},
-            {}};
+    return {
+        eye.point, (1.0 / sqrt(squared_length)) * direction, emit.valid(), eye.parameters, {}, {},
+        {}};
 }
 
 // Where the camera's moves turn the upward direction of its axes, at the place to which they move
@@ -285,6 +291,17 @@ Camera::Emitted::Emitted(Parts made_of, const std::stop_token& stop, std::size_t
         Emitter lens_emit(graph, trial);
         ray = with_lens(ray, *parts.lens, picture, lens_emit);
         problems.insert(problems.end(), lens_emit.problems().begin(), lens_emit.problems().end());
+    }
+    if (parts.bend) {
+        Emitter bend_emit(graph, trial);
+        ray = bent(ray, *parts.bend, picture, bend_emit);
+        Diagnostics of_bend = bend_emit.problems();
+        const Diagnostics nowhere = unmet_needs(picture, bend_emit);
+        of_bend.insert(of_bend.end(), nowhere.begin(), nowhere.end());
+        for (Diagnostic& problem : of_bend) {
+            problem.span = parts.bend_span;
+            problems.push_back(std::move(problem));
+        }
     }
     if (parts.turn) {
         ray = turned(ray, *parts.turn, parts.axes, Emitter(graph));

@@ -45,6 +45,13 @@ std::vector<Expr> values_of(const RayExpressions& ray) {
     if (ray.time) {
         values.push_back(*ray.time);
     }
+    if (ray.bend) {
+        const ObjectVector& d = ray.bend->direction;
+        values.insert(values.end(), {d.x, d.y, d.z});
+        for (const ObjectPoint& p : ray.bend->knots) {
+            values.insert(values.end(), {p.x, p.y, p.z});
+        }
+    }
     return values;
 }
 
@@ -78,16 +85,24 @@ RayExpressions substitute(Graph& target, const RayExpressions& ray,
         }
     }
     const std::vector<Expr> r = expr::substitute(target, values_of(ray), all);
-    RayExpressions made{{r[0], r[1], r[2]}, {r[3], r[4], r[5]}, r[6], {r[7], r[8]}, {}, {}};
+    RayExpressions made{{r[0], r[1], r[2]}, {r[3], r[4], r[5]}, r[6], {r[7], r[8]}, {}, {}, {}};
+    std::size_t next = 9;
     if (ray.lens) {
         for (std::size_t i = 0; i < fixed.size(); ++i) {
             fixed[i].replacement = r[17 + i];
         }
         made.lens = LensExpressions{{{r[9], r[10], r[11]}, {r[12], r[13], r[14]}, r[15], r[16]},
                                     std::move(fixed)};
+        next = 17 + ray.lens->fixed.size();
     }
     if (ray.time) {
-        made.time = r.back();
+        made.time = r[next++];
+    }
+    if (ray.bend) {
+        made.bend = BendExpressions{{}, {r[next], r[next + 1], r[next + 2]}};
+        for (next += 3; next < r.size(); next += 3) {
+            made.bend->knots.push_back({r[next], r[next + 1], r[next + 2]});
+        }
     }
     return made;
 }
@@ -165,18 +180,36 @@ Slopes slopes_by_picture(const std::array<Expr, 2>& parameters, Values values, G
     return shared ? *shared : slopes_of(values, graph);
 }
 
+Slopes slopes_of_ray(const RayExpressions& ray, Values values) {
+    Graph& graph = ray.origin.x.graph();
+    return slopes_by_picture({ray.parameters.u, ray.parameters.v}, values, graph);
+}
+
 }  // namespace
 
 RayFootprint footprint(const RayExpressions& ray) {
-    Graph& graph = ray.origin.x.graph();
     const std::array values{ray.origin.x,    ray.origin.y,    ray.origin.z,
                             ray.direction.x, ray.direction.y, ray.direction.z};
-    const auto [by_x, by_y] =
-        slopes_by_picture({ray.parameters.u, ray.parameters.v}, values, graph);
+    const auto [by_x, by_y] = slopes_of_ray(ray, values);
     return {{by_x[0], by_x[1], by_x[2]},
             {by_y[0], by_y[1], by_y[2]},
             {by_x[3], by_x[4], by_x[5]},
             {by_y[3], by_y[4], by_y[5]}};
+}
+
+BendFootprint footprint_of_bend(const RayExpressions& ray) {
+    const auto& [knots, direction] = *ray.bend;
+    std::vector<Expr> values{direction.x, direction.y, direction.z};
+    for (const ObjectPoint& knot : knots) {
+        values.insert(values.end(), {knot.x, knot.y, knot.z});
+    }
+    const auto [by_x, by_y] = slopes_of_ray(ray, values);
+    BendFootprint made{{}, {}, {by_x[0], by_x[1], by_x[2]}, {by_y[0], by_y[1], by_y[2]}};
+    for (std::size_t i = 3; i < values.size(); i += 3) {
+        made.knots_by_x.push_back({by_x[i], by_x[i + 1], by_x[i + 2]});
+        made.knots_by_y.push_back({by_y[i], by_y[i + 1], by_y[i + 2]});
+    }
+    return made;
 }
 
 // -------------------------------------------------------------------------------------- stereo
@@ -299,6 +332,34 @@ RayFootprint footprint_through_lens(const RayExpressions& ray) {
             turned(vector_at(values, 13))};
 }
 
+// ---------------------------------------------------------------------------------------- bend
+
+// A sum of squares is finite only if every coordinate is.
+RayExpressions bent(const RayExpressions& ray, const Bend& bend, const PicturePoint& picture,
+                    Emitter& emit) {
+    const BentPath path = bend.path({ray.origin, ray.direction, ray.parameters, picture}, emit);
+    constexpr double min_squared_length = 0x1p-960;
+    const Expr squared_length = dot(path.direction, path.direction);
+    Expr size = squared_length;
+    for (const ObjectPoint& p : path.knots) {
+        size = size + p.x * p.x + p.y * p.y + p.z * p.z;
+    }
+    emit.require_somewhere(
+        !ray.valid || (min_squared_length < squared_length && is_finite(size)),
+        error("this bend has no path for any ray of the picture: its numbers are not finite, or it "
+              "ends without a direction",
+              {}, "let its formula be defined along the rays"));
+    const ObjectVector first = path.knots[1] - path.knots[0];
+    const Expr square = dot(first, first);
+    RayExpressions made = ray;
+    made.origin = path.knots.front();
+    made.direction = select(0.0 < square, (1.0 / sqrt(square)) * first, ray.direction);
+    made.bend = BendExpressions{{path.knots.begin() + 1, path.knots.end()},
+                                (1.0 / sqrt(squared_length)) * path.direction};
+    made.valid = ray.valid && emit.valid();
+    return made;
+}
+
 // ---------------------------------------------------------------------------------------- turn
 
 RayExpressions turned(const RayExpressions& ray, const Turn& turn, Axes axes, const Emitter& emit) {
@@ -318,6 +379,12 @@ RayExpressions turned(const RayExpressions& ray, const Turn& turn, Axes axes, co
     if (ray.lens) {
         made.lens->ray.origin = center + about_vertical(ray.lens->ray.origin - center);
         made.lens->ray.direction = about_vertical(ray.lens->ray.direction);
+    }
+    if (ray.bend) {
+        for (ObjectPoint& knot : made.bend->knots) {
+            knot = center + about_vertical(knot - center);
+        }
+        made.bend->direction = about_vertical(ray.bend->direction);
     }
     return made;
 }

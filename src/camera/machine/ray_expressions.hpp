@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// The formulas of a ray after its direction is known: its stereo view, its lens and its time.
+// The formulas of a ray after its direction is known: its stereo view, its lens, its bend and its
+// time.
 
 #include <optional>
 #include <span>
@@ -38,7 +39,11 @@ namespace balcony::camera {
 [[nodiscard]] RayExpressions with_lens(const RayExpressions& ray, const Lens& lens,
                                        const PicturePoint& picture, Emitter& emit);
 
-/// A ray of a camera with these axes, turned with its lens.
+/// A ray of the camera's own picture on its way through space.
+[[nodiscard]] RayExpressions bent(const RayExpressions& ray, const Bend& bend,
+                                  const PicturePoint& picture, Emitter& emit);
+
+/// A ray of a camera with these axes, turned with its lens and its bend.
 [[nodiscard]] RayExpressions turned(const RayExpressions& ray, const Turn& turn, Axes axes,
                                     const Emitter& emit);
 

@@ -215,7 +215,7 @@ s = h, held within from and to;   k = angle/(to − from);   θ = k (s − from)
                    TripleParameter{.default_value = std::array{1.0, 0.0, 0.0}, .names_axes = true},
                .meaning = "the direction to bend to"}}),
          .make = bend,
-         .example = R"(camera bend {
+         .example = R"(camera bent_strip {
     map  u = 2 .. -2, v = square
     eye  plane
     move bend(y, 120deg, toward = -x, from = -1.5, to = 1.5)

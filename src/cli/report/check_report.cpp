@@ -187,6 +187,9 @@ std::string check_text(const CameraCheck& check) {
     if (check.has_lens) {
         text += line("lens", "only the rays through its centre are checked");
     }
+    if (check.has_bend) {
+        text += line("bend", "only the first straight parts of the rays are checked");
+    }
     if (report.magnification) {
         text += line("magnification", statistics_text(*report.magnification,
                                                       report.distance ? "; pixels per unit"
@@ -231,6 +234,7 @@ nlohmann::json check_json(const CameraCheck& check) {
                          {"valid_share", report.valid_share},
                          {"single_viewpoint", report.single_viewpoint},
                          {"lens", check.has_lens},
+                         {"bend", check.has_bend},
                          {"origin_extent", report.origin_extent},
                          {"distance", nullptr},
                          {"magnification", statistics_json(report.magnification)},

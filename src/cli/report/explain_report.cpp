@@ -183,6 +183,21 @@ public:
         if (ray.time) {
             add(prefix + "time", *ray.time);
         }
+        if (ray.bend) {
+            add_bend(prefix, *ray.bend);
+        }
+    }
+
+    void add_bend(const std::string& prefix, const camera::BendExpressions& bend) {
+        const auto add_xyz = [&](const std::string& name, const auto& v) {
+            add(prefix + name + "_x", v.x);
+            add(prefix + name + "_y", v.y);
+            add(prefix + name + "_z", v.z);
+        };
+        for (std::size_t i = 0; i < bend.knots.size(); ++i) {
+            add_xyz(fmt::format("knot_{}", i + 1), bend.knots[i]);
+        }
+        add_xyz("last_direction", bend.direction);
     }
 
     /// Names what the formulas have in common after the stages of a camera.

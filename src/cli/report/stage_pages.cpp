@@ -46,6 +46,7 @@ constexpr std::array headings{
     Heading{"Stereo views", StageKind::stereo_view},
     Heading{"Lenses", StageKind::lens},
     Heading{"Surfaces of focus", StageKind::focus},
+    Heading{"Bends", StageKind::bend},
     Heading{"Picture arrangers", StageKind::picture_arranger},
     Heading{"Clip shapes", StageKind::clip_shape},
 };

@@ -27,8 +27,7 @@ void write_data(DataLayers& layers, std::size_t at, const PointData& data) {
     set(layers.motion, data.motion);
     const VisibleSurface& visible = data.visible;
     if (visible.any) {
-        const double length = (Imath::V3d(visible.position) - data.origin).dot(data.direction);
-        set(layers.ray_length, static_cast<float>(std::max(length, 0.0)));
+        set(layers.ray_length, static_cast<float>(std::max(data.length, 0.0)));
         set(layers.position, visible.position);
         set(layers.normal, visible.normal);
         set(layers.albedo, visible.albedo);

@@ -55,6 +55,7 @@ struct PointData {
     std::uint16_t layer = 0;
     Imath::V3d origin;
     Imath::V3d direction;
+    double length = 0.0;  ///< From the origin to the visible surface, along the ray.
     V2f parameters;
     float magnification = 0.0F;  ///< 0 if unknown.
     double time = 0.0;           ///< When the ray meets the scene, in seconds.

@@ -57,6 +57,7 @@ public:
         }
         stereo(parts);
         lens(parts);
+        bend(parts);
         time(parts);
         parts.written.insert(stages_.written().begin(), stages_.written().end());
         // A null result without a diagnostic here has been reported at its source.
@@ -119,6 +120,7 @@ private:
                (!parts.toward || whole(*parts.toward)) &&
                (statements_.lacks(StatementKind::stereo) || parts.stereo) &&
                (statements_.lacks(StatementKind::lens) || parts.lens) &&
+               (statements_.lacks(StatementKind::bend) || parts.bend) &&
                (statements_.lacks(StatementKind::time) || parts.time);
     }
 
@@ -346,7 +348,7 @@ private:
         }
     }
 
-    // -------------------------------------------------------------------- stereo, lens and time
+    // -------------------------------------------------------------------- stereo, lens, bend, time
 
     void stereo(camera::Camera::Parts& parts) {
         if (const Statement* statement = statements_.find(StatementKind::stereo)) {
@@ -358,6 +360,13 @@ private:
         if (const Statement* statement = statements_.find(StatementKind::lens)) {
             parts.lens = stages_.make<camera::Lens>(statement->stages().front());
             parts.lens_span = tree_.at(statement->span);
+        }
+    }
+
+    void bend(camera::Camera::Parts& parts) {
+        if (const Statement* statement = statements_.find(StatementKind::bend)) {
+            parts.bend = stages_.make<camera::Bend>(statement->stages().front());
+            parts.bend_span = tree_.at(statement->span);
         }
     }
 

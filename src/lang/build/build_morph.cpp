@@ -199,6 +199,13 @@ private:
                 fmt::format("the lens of '{}' has no effect in a morph of rays", call.name.text),
                 "write a lens in the camera that morphs");
         }
+        if (camera.parts().bend) {
+            error(call.span,
+                  fmt::format("the rays of '{}' are bent, which a morph of rays cannot blend",
+                              call.name.text),
+                  "write bend in the camera that morphs, and morph cameras without it");
+            return false;
+        }
         if (camera.parts().time) {
             error(call.span,
                   fmt::format("'{}' has a time of its own for each ray, which a morph of rays "

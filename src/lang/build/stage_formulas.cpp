@@ -21,13 +21,13 @@ StageBuilder::Located StageBuilder::formula(std::string_view name,
     const auto has_shape = [&](std::size_t results) {
         auto trouble = camera::shape_error(name, shape, node.parameters.size(), results);
         if (trouble) {
-            const bool parameters = node.parameters.size() != shape.parameters;
+            const bool parameters = !shape.takes(node.parameters.size());
             trouble->span = tree_.at(parameters ? node.name.span : node.span);
             reporter_.add(std::move(*trouble));
         }
         return !trouble;
     };
-    if (node.parameters.size() != shape.parameters && !has_shape(node.arguments.size())) {
+    if (!shape.takes(node.parameters.size()) && !has_shape(node.arguments.size())) {
         return made;
     }
     Scope scope(&scope_);

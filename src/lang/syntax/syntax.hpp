@@ -70,6 +70,7 @@ enum class StatementKind : std::uint8_t {
     look,
     stereo,
     lens,
+    bend,
     time,
     fitted,
     place,

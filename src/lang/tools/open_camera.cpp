@@ -45,9 +45,17 @@ void add_numbers(const Elements& elements, std::vector<expr::Expr>& roots,
         }
         if (element.ray) {
             const camera::RayExpressions& ray = *element.ray;
-            add({ray.origin.x, ray.origin.y, ray.origin.z, ray.direction.x, ray.direction.y,
-                 ray.direction.z, ray.valid},
-                true);
+            std::vector<expr::Expr> values{ray.origin.x,    ray.origin.y,    ray.origin.z,
+                                           ray.direction.x, ray.direction.y, ray.direction.z,
+                                           ray.valid};
+            if (ray.bend) {
+                const camera::ObjectVector& last = ray.bend->direction;
+                values.insert(values.end(), {last.x, last.y, last.z});
+                for (const camera::ObjectPoint& knot : ray.bend->knots) {
+                    values.insert(values.end(), {knot.x, knot.y, knot.z});
+                }
+            }
+            add(values, true);
         }
         add_numbers(element.group, roots, all);
     }

@@ -54,17 +54,17 @@ void set_packets(const rays::RayBatch& rays, const Square& square,
     }
 }
 
-void set_differentials(const rays::RayBatch& rays, const Square& square, double part,
-                       packet_lanes::Differentials& differentials) {
+void set_differentials(const rays::RayBatch& rays, const Square& square, const LaneParts& parts,
+                       double fraction, packet_lanes::Differentials& differentials) {
     if (!rays.has_footprints()) {
         differentials = {};
-    } else if (is_whole(rays, square)) {
+    } else if (is_whole(rays, square) && rays.part_count() == 1) {
         packet_lanes::set_differentials(rays.footprint_arrays(),
-                                        square.top * square.width + square.left, square.width, part,
-                                        differentials);
+                                        square.top * square.width + square.left, square.width,
+                                        fraction, differentials);
     } else {
         for_each_ray(rays, square, [&](std::size_t i, std::size_t lane) {
-            differentials.set(lane, render::differentials(rays, i, part));
+            differentials.set(lane, render::differentials(rays, i, parts[lane], fraction));
         });
     }
 }
@@ -77,31 +77,34 @@ V2f parameters(const rays::RayBatch& rays, std::size_t i) {
     return {std::isfinite(p.x) ? p.x : 0.0F, std::isfinite(p.y) ? p.y : 0.0F};
 }
 
-float magnification(const rays::RayBatch& rays, std::size_t i, const V3d& point) {
+float magnification(const rays::RayBatch& rays, std::size_t i, std::size_t part, const V3d& point) {
     if (!rays.has_footprints()) {
         return 0.0F;
     }
-    const double length = (point - rays.origin(i)).length();
-    const V3d by_x = rays.origin_by_x(i) + length * rays.direction_by_x(i);
-    const V3d by_y = rays.origin_by_y(i) + length * rays.direction_by_y(i);
-    const double area = std::abs(by_x.cross(by_y).dot(rays.direction(i)));  // Of a pixel.
+    const rays::Ray ray = rays.ray_of_part(i, part);
+    const double length = (point - ray.origin).length();
+    const V3d by_x = ray.origin_by_x + length * ray.direction_by_x;
+    const V3d by_y = ray.origin_by_y + length * ray.direction_by_y;
+    const double area = std::abs(by_x.cross(by_y).dot(ray.direction));  // Of a pixel.
     const auto pixels = static_cast<float>(1.0 / std::sqrt(area));
     return std::isfinite(pixels) ? pixels : 0.0F;
 }
 
-RayDifferentials differentials(const rays::RayBatch& rays, std::size_t i, double part) {
+RayDifferentials differentials(const rays::RayBatch& rays, std::size_t i, std::size_t part,
+                               double fraction) {
     RayDifferentials d;
-    const auto set = [part](const V3d& origin_by, const V3d& direction_by, V3f& origin,
-                            V3f& direction) {
-        const V3d moved = part * origin_by;
-        const V3d turned = part * direction_by;
+    const rays::Ray ray = rays.ray_of_part(i, part);
+    const auto set = [fraction](const V3d& origin_by, const V3d& direction_by, V3f& origin,
+                                V3f& direction) {
+        const V3d moved = fraction * origin_by;
+        const V3d turned = fraction * direction_by;
         if (embree::in_range(moved) && embree::in_range(turned)) {
             origin = V3f(moved);
             direction = V3f(turned);
         }
     };
-    set(rays.origin_by_x(i), rays.direction_by_x(i), d.origin_x, d.direction_x);
-    set(rays.origin_by_y(i), rays.direction_by_y(i), d.origin_y, d.direction_y);
+    set(ray.origin_by_x, ray.direction_by_x, d.origin_x, d.direction_x);
+    set(ray.origin_by_y, ray.direction_by_y, d.origin_y, d.direction_y);
     return d;
 }
 

@@ -5,7 +5,9 @@
 // The rays of a camera as input of the tracer, in floats.
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 #include <Imath/ImathVec.h>
@@ -23,12 +25,15 @@ using Imath::V3d;
 [[nodiscard]] bool traceable(const rays::RayBatch& rays, std::size_t i);
 /// 0 where a parameter is not finite, or was not requested.
 [[nodiscard]] V2f parameters(const rays::RayBatch& rays, std::size_t i);
-/// The number of pixels per unit of length at a point of the ray, on a plane across it; the
-/// geometric mean over its directions. 0 without footprints, or where it is not finite.
-[[nodiscard]] float magnification(const rays::RayBatch& rays, std::size_t i, const V3d& point);
-/// The ray's change over a fraction of a pixel; 0 along x or y where it is not finite.
+/// The number of pixels per unit of length at a point of a straight part of the ray, on a plane
+/// across it; the geometric mean over its directions. 0 without footprints, or where it is not
+/// finite.
+[[nodiscard]] float magnification(const rays::RayBatch& rays, std::size_t i, std::size_t part,
+                                  const V3d& point);
+/// The change of a straight part of the ray over a fraction of a pixel; 0 along x or y where it is
+/// not finite.
 [[nodiscard]] RayDifferentials differentials(const rays::RayBatch& rays, std::size_t i,
-                                             double part);
+                                             std::size_t part, double fraction);
 
 /// The points of a packet: a square of a tile of a width, from the point (left, top) on, or the
 /// part of it within the tile.
@@ -76,8 +81,12 @@ void set_packets(const rays::RayBatch& rays, const Square& square,
                  const scene::TimeInterval& interval, float time,
                  std::span<embree::Packet> packets);
 
-/// Sets the differentials of the rays of a square; 0 without footprints.
-void set_differentials(const rays::RayBatch& rays, const Square& square, double part,
-                       packet_lanes::Differentials& differentials);
+/// The straight parts at which the rays of a packet are, by lane.
+using LaneParts = std::array<std::uint16_t, embree::Packet::size>;
+
+/// Sets the differentials of the rays of a square over a fraction of a pixel; 0 without footprints.
+/// `parts` matters only to bent rays.
+void set_differentials(const rays::RayBatch& rays, const Square& square, const LaneParts& parts,
+                       double fraction, packet_lanes::Differentials& differentials);
 
 }  // namespace balcony::render

@@ -8,6 +8,8 @@
 #include <set>
 #include <vector>
 
+#include "render/job/bent_rays.hpp"
+
 namespace balcony::render {
 
 rays::Tile coarse_grid(std::size_t pixels_wide, std::size_t pixels_high, double points,
@@ -28,9 +30,13 @@ rays::Tile coarse_grid(const Film& film, double time) {
 
 DifferentialRay coarse_ray(const TracedScene& traced, const rays::Tile& grid, const TileRays& rays,
                            std::size_t i) {
-    DifferentialRay ray{V3f(rays.all.origin(i)), V3f(rays.all.direction(i)), {}, rays.time_of(i)};
+    const std::size_t seen = rays.all.part_count() == 1
+                                 ? 0
+                                 : first_hit(traced.accelerator, rays.all, i, rays.time_of(i)).part;
+    const rays::RayBatch::Part part = rays.all.part(i, seen);
+    DifferentialRay ray{V3f(part.origin), V3f(part.direction), {}, rays.time_of(i)};
     if (traced.materials.has_textures()) {
-        ray.differentials = differentials(rays.all, i, grid.step);
+        ray.differentials = differentials(rays.all, i, seen, grid.step);
     }
     return ray;
 }

@@ -19,7 +19,7 @@ namespace balcony::render {
 [[nodiscard]] rays::Tile coarse_grid(const Film& film, double time);
 
 /// The ray of a point of such a grid, which can be traced. It has a footprint if the scene has
-/// textures.
+/// textures. Of a bent ray it is the straight part that meets the scene first, or else the last.
 [[nodiscard]] DifferentialRay coarse_ray(const TracedScene& traced, const rays::Tile& grid,
                                          const TileRays& rays, std::size_t i);
 

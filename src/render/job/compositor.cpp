@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "images/luminance.hpp"
+#include "render/job/bent_rays.hpp"
 #include "render/job/layer_weights.hpp"
 #include "render/job/point_blender.hpp"
 
@@ -236,8 +237,8 @@ void Compositor::trace_layer(const Element& element, const Veil& veil, Work& wor
     const bool data_apart = !work.data.empty() && rays_.has_lens(layer);
     if (data_apart) {
         rays_.find_rays(layer, points.grid, rays);
-        tracer_.trace(points, rays, wanted, [&](std::size_t i, const Seen& seen) {
-            add_data(element, veil, i, seen, work, master);
+        tracer_.trace(points, rays, wanted, [&](std::size_t i, const Seen& seen, std::size_t part) {
+            add_data(element, veil, i, seen, part, work, master);
         });
     }
     rays_.find_rays_of_pass(layer, points.grid, points.region, points.numbers, rays);
@@ -255,7 +256,7 @@ void Compositor::trace_layer(const Element& element, const Veil& veil, Work& wor
     if (!work.seen.empty()) {
         work.seen[layer].resize(points.size());
     }
-    tracer_.trace(points, rays, wanted, [&](std::size_t i, const Seen& seen) {
+    tracer_.trace(points, rays, wanted, [&](std::size_t i, const Seen& seen, std::size_t part) {
         const float presence = rays.shown->environment ? 1.0F : seen.radiance.a;
         mark(work.bare[i], presence <= 0.0F);
         const double depth = master != nullptr ? depth_along(master->rays, i, seen.end) : 0.0;
@@ -278,7 +279,7 @@ void Compositor::trace_layer(const Element& element, const Veil& veil, Work& wor
             work.seen[layer][i] = {1.0F, seen.parts, seen.shown, seen.coverage};
         }
         if (!data_apart) {
-            add_data(element, veil, i, seen, work, master);
+            add_data(element, veil, i, seen, part, work, master);
         }
     });
 }
@@ -286,7 +287,7 @@ void Compositor::trace_layer(const Element& element, const Veil& veil, Work& wor
 // The data of a point are those of the front layer that covers at least half of it, and shows
 // something there.
 void Compositor::add_data(const Element& element, const Veil& veil, std::size_t i, const Seen& seen,
-                          Work& work, Master* master) const {
+                          std::size_t part, Work& work, Master* master) const {
     if (work.data.empty() || veil.share[i] * work.coverages.coverage(element, i) < 0.5F ||
         !(tile_rays_.shown->environment || seen.visible.any)) {
         return;
@@ -304,12 +305,15 @@ void Compositor::add_data(const Element& element, const Veil& veil, std::size_t 
         return;
     }
     const rays::RayBatch& rays = tile_rays_.all;
+    const V3d position(seen.visible.position);
+    const rays::RayBatch::Part at = rays.part(i, part);
     data = {true,
             static_cast<std::uint16_t>(*element.layer + 1),
             rays.origin(i),
             rays.direction(i),
+            length_before(rays, i, part) + (position - at.origin).dot(at.direction),
             parameters(rays, i),
-            magnification(rays, i, V3d(seen.visible.position)),
+            magnification(rays, i, part, position),
             rays.has_times() ? rays.time(i) : work.points.grid.time,
             seen.visible};
 }

@@ -50,8 +50,9 @@ private:
     void trace_group(const Element& element, Veil& veil, Work& work);
     void trace_by_depth(const std::vector<Element>& layers, Veil& veil, Work& work);
     void trace_layer(const Element& element, const Veil& veil, Work& work, Master* master);
+    // `part` is the straight part of the ray that sees it.
     void add_data(const Element& element, const Veil& veil, std::size_t i, const Seen& seen,
-                  Work& work, Master* master) const;
+                  std::size_t part, Work& work, Master* master) const;
 
     const rays::CompiledPicture* picture_;
     PictureRays rays_;

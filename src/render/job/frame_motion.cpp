@@ -19,9 +19,7 @@ V3d seen_point(const PointData& point) {
     // Along the ray, because the position is rounded.
     const double nearer = std::max(
         {std::abs(point.origin.x), std::abs(point.origin.y), std::abs(point.origin.z), 1.0});
-    const double distance = point.visible.any
-                                ? (V3d(point.visible.position) - point.origin).dot(point.direction)
-                                : far_away * nearer;
+    const double distance = point.visible.any ? point.length : far_away * nearer;
     return point.origin + distance * point.direction;
 }
 

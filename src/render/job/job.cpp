@@ -118,6 +118,7 @@ Diagnostics compile(const camera::Picture& picture, const PictureInputs& inputs,
                                                       {.axes = axes,
                                                        .footprints = parts.form.footprints,
                                                        .parameters = parts.form.parameters,
+                                                       .bends = true,
                                                        .inputs = declared(inputs)},
                                                       stop);
     if (!all) {
@@ -128,7 +129,8 @@ Diagnostics compile(const camera::Picture& picture, const PictureInputs& inputs,
         return {};
     }
     Result<rays::CompiledPicture> central = rays::compile(
-        picture, width, height, {.axes = axes, .inputs = declared({{}, inputs.parameters})}, stop);
+        picture, width, height,
+        {.axes = axes, .bends = true, .inputs = declared({{}, inputs.parameters})}, stop);
     if (!central) {
         return std::move(central.diagnostics);
     }

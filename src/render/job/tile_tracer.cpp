@@ -8,6 +8,8 @@
 #include <limits>
 #include <optional>
 
+#include "render/job/bent_rays.hpp"
+
 namespace balcony::render {
 
 namespace {
@@ -21,12 +23,13 @@ bool is_finite(const Color4f& c) {
 class SquareDifferentials final : public DifferentialSource {
 public:
     SquareDifferentials(const rays::RayBatch& rays, double scale, const Square& first,
+                        std::span<const LaneParts> parts,
                         packet_lanes::Differentials& differentials)
-        : rays_(rays), scale_(scale), first_(first), differentials_(differentials) {}
+        : rays_(rays), scale_(scale), first_(first), parts_(parts), differentials_(differentials) {}
 
     [[nodiscard]] const packet_lanes::Differentials& of_packet(std::size_t packet) override {
         if (packet_ != packet) {
-            set_differentials(rays_, first_.beside(packet), scale_, differentials_);
+            set_differentials(rays_, first_.beside(packet), parts_[packet], scale_, differentials_);
             packet_ = packet;
         }
         return differentials_;
@@ -36,6 +39,7 @@ private:
     const rays::RayBatch& rays_;
     double scale_;
     Square first_;
+    std::span<const LaneParts> parts_;  // By packet.
     packet_lanes::Differentials& differentials_;
     std::optional<std::size_t> packet_;  // Whose differentials they are.
 };
@@ -72,17 +76,67 @@ TileTracer::TileTracer(const TracedScene& traced, const Settings& settings,
     }
 }
 
-void TileTracer::intersect(std::span<embree::Packet> packets, const ShownObjects& shown) const {
-    const embree::Accelerator& objects = shown.some ? *shown.some : traced_->accelerator;
-    objects.intersect(packets);
-    if (passed_.empty()) {
+void TileTracer::intersect(const TileRays& rays, const Square& first,
+                           std::span<embree::Packet> packets) {
+    const std::size_t count = rays.all.part_count();
+    parts_ = {};
+    if (count == 1) {
+        intersect(packets, *rays.shown, false);
         return;
     }
-    for (embree::Packet& packet : packets) {
+    std::array<LaneBits, packets_at_once> pending{};
+    for (std::size_t k = 0; k < packets.size(); ++k) {
+        for (std::size_t lane = 0; lane < embree::Packet::size; ++lane) {
+            pending[k] |= packets[k].valid[lane] != 0 ? lane_bit(lane) : 0;
+        }
+    }
+    const std::span<embree::Packet> work = std::span(work_).first(packets.size());
+    for (std::size_t number = 0; number < count && pending != decltype(pending){}; ++number) {
+        for (std::size_t k = 0; k < packets.size(); ++k) {
+            work[k].valid.fill(0);
+            for_each_ray(rays.all, first.beside(k), [&](std::size_t i, std::size_t lane) {
+                if ((pending[k] & lane_bit(lane)) == 0) {
+                    return;
+                }
+                const rays::RayBatch::Part part = rays.all.part(i, number);
+                if (part.length > 0.0) {
+                    const embree::Ray ray = ray_of(part, packets[k].time[lane]);
+                    packets[k].set(lane, ray);
+                    work[k].set(lane, ray);
+                    parts_[k][lane] = static_cast<std::uint16_t>(number);
+                }
+            });
+        }
+        intersect(work, *rays.shown, true);
+        for (std::size_t k = 0; k < packets.size(); ++k) {
+            for (std::size_t lane = 0; lane < embree::Packet::size; ++lane) {
+                if (work[k].valid[lane] != 0) {
+                    packets[k].take_hit(work[k], lane);
+                    pending[k] &= work[k].any(lane) ? ~lane_bit(lane) : ~LaneBits{0};
+                }
+            }
+        }
+    }
+}
+
+void TileTracer::intersect(std::span<embree::Packet> packets, const ShownObjects& shown,
+                           bool bent) const {
+    const embree::Accelerator& objects = shown.some ? *shown.some : traced_->accelerator;
+    if (passed_.empty() && !bent) {
+        objects.intersect(packets);
+        return;
+    }
+    std::array<embree::Packet::Floats, packets_at_once> lengths;
+    for (std::size_t k = 0; k < packets.size(); ++k) {
+        lengths[k] = packets[k].farthest;
+    }
+    objects.intersect(packets);
+    for (std::size_t k = 0; k < packets.size(); ++k) {
+        embree::Packet& packet = packets[k];
         embree::Packet beyond = packet;
         LaneBits passing = all_lanes;
         for (std::size_t crossings = 0; passing != 0 && crossings < max_crossings; ++crossings) {
-            passing = set_beyond(packet, beyond);
+            passing = set_beyond(packet, bent, beyond, lengths[k]);
             if (passing != 0) {
                 objects.intersect(std::span(&beyond, 1));
             }
@@ -91,20 +145,28 @@ void TileTracer::intersect(std::span<embree::Packet> packets, const ShownObjects
     }
 }
 
-LaneBits TileTracer::set_beyond(const embree::Packet& packet, embree::Packet& beyond) const {
+LaneBits TileTracer::set_beyond(const embree::Packet& packet, bool bent, embree::Packet& beyond,
+                                embree::Packet::Floats& lengths) const {
     LaneBits passing = 0;
     beyond.valid.fill(0);
     for (std::size_t lane = 0; lane < embree::Packet::size; ++lane) {
-        if (packet.valid[lane] == 0 || !packet.any(lane) ||
-            !passed_[traced_->scene->instances[packet.instance(lane)].object]) {
+        if (packet.valid[lane] == 0 || !packet.any(lane)) {
+            continue;
+        }
+        const embree::Hit hit = packet.hit(lane);
+        const bool is_passed =
+            !passed_.empty() && passed_[traced_->scene->instances[hit.instance].object];
+        if (!is_passed && !bent) {
             continue;
         }
         const V3f direction = packet.direction(lane);
-        const Surface surface =
-            traced_->surfaces.find(packet.hit(lane), direction, packet.time[lane]);
-        if (!surface.entering) {
+        const Surface surface = traced_->surfaces.find(hit, direction, packet.time[lane]);
+        if ((is_passed && !surface.entering) ||
+            (bent && traced_->materials.opacity(surface.in_mesh) <= 0.0F)) {
+            lengths[lane] = std::max(lengths[lane] - packet.farthest[lane], 0.0F);
             beyond.set(lane, {.origin = surface.start(direction),
                               .direction = direction,
+                              .farthest = lengths[lane],
                               .time = packet.time[lane]});
             passing |= lane_bit(lane);
         }
@@ -114,6 +176,7 @@ LaneBits TileTracer::set_beyond(const embree::Packet& packet, embree::Packet& be
 
 void TileTracer::trace(const TilePoints& points, const TileRays& rays, const Mask& wanted) {
     indices_.clear();
+    seen_parts_.clear();
     requested_.clear();
     const PixelGroups groups(points.region, points.pass);
     std::uint32_t number = 0;
@@ -128,11 +191,11 @@ void TileTracer::trace(const TilePoints& points, const TileRays& rays, const Mas
             });
         }
         if (lanes != decltype(lanes){}) {
-            intersect(packets, *rays.shown);
+            intersect(rays, first, packets);
         }
         for (std::size_t k = 0; k < packets.size(); ++k, ++number) {
             if (lanes[k] != 0) {
-                request(points, rays, first.beside(k), packets[k], number, groups);
+                request(points, rays, first.beside(k), packets[k], parts_[k], number, groups);
             }
         }
     });
@@ -152,9 +215,9 @@ void TileTracer::trace(const TilePoints& points, const TileRays& rays, const Mas
 }
 
 void TileTracer::request(const TilePoints& points, const TileRays& rays, const Square& square,
-                         const embree::Packet& packet, std::uint32_t number,
+                         const embree::Packet& packet, const LaneParts& parts, std::uint32_t number,
                          const PixelGroups& groups) {
-    set_differentials(rays.all, square, footprint_scale_, differentials_);
+    set_differentials(rays.all, square, parts, footprint_scale_, differentials_);
     for_each_ray(rays.all, square, [&](std::size_t i, std::size_t lane) {
         if (packet.valid[lane] == 0) {
             return;
@@ -166,9 +229,11 @@ void TileTracer::request(const TilePoints& points, const TileRays& rays, const S
             (void)sampler.next_pair();
         }
         // Tracing has changed directions within their rounding errors.
-        const DifferentialRay ray{V3f(rays.all.origin(i)), V3f(rays.all.direction(i)),
-                                  differentials_.of(lane), packet.time[lane]};
+        const rays::RayBatch::Part part = rays.all.part(i, parts[lane]);
+        const DifferentialRay ray{V3f(part.origin), V3f(part.direction), differentials_.of(lane),
+                                  packet.time[lane]};
         indices_.push_back(i);
+        seen_parts_.push_back(parts[lane]);
         requested_.push_back({ray, packet.hit(lane), sampler, number, groups.of(x, y),
                               std::min(clamp_, levels_->limit(rays.layer, x, y, points.pass))});
     });
@@ -180,8 +245,9 @@ RayCounts TileTracer::trace_light(const Region& region, const Region& counted, c
     RayCounts counts{.camera_rays = within.size()};
     for_each_run(region.width, region.height, packets_, [&](const Square& first, auto packets) {
         set_packets(rays.all, first, rays.interval, rays.time, packets);
-        intersect(packets, *rays.shown);
-        SquareDifferentials differentials(rays.all, footprint_scale_, first, differentials_);
+        intersect(rays, first, packets);
+        SquareDifferentials differentials(rays.all, footprint_scale_, first, parts_,
+                                          differentials_);
         light_tracer_->trace_light(packets, differentials,
                                    std::span(radiances_).first(packets.size()));
         for (std::size_t k = 0; k < packets.size(); ++k) {

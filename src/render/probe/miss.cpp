@@ -86,6 +86,9 @@ Result<Miss> explain_miss(const Renderer& renderer, const camera::Camera& camera
     }
     const auto bounds = scene.bounds();
     miss.bounds = {V3d(bounds.min), V3d(bounds.max)};
+    if (camera.parts().bend) {
+        return miss;  // The other rays that are tried would be straight.
+    }
     const auto attempt = [&](RayChange change, double factor, auto changed) {
         std::vector<Line> others;
         others.reserve(lines.size());

@@ -13,6 +13,7 @@
 
 #include "balcony/median.hpp"
 #include "film/sums/film_arrays.hpp"
+#include "render/job/bent_rays.hpp"
 #include "render/job/camera_rays.hpp"
 #include "render/probe/probed_scene.hpp"
 
@@ -120,6 +121,10 @@ private:
 
     // Marks the objects that the rays of a tile hit.
     void look(const RayTile& tile, bool measure) {
+        if (tile.rays.part_count() > 1) {
+            look_along_bends(tile, measure);
+            return;
+        }
         for_each_run(tile.width, tile.height, packets_, [&](const Square& first, auto packets) {
             set_packets(tile.rays, first, {}, 0.0F, packets);
             for (embree::Packet& packet : packets) {
@@ -136,10 +141,22 @@ private:
         });
     }
 
-    void look(const embree::Ray& ray, const Hit& hit, bool measure) {
+    void look_along_bends(const RayTile& tile, bool measure) {
+        for (std::size_t i = 0; i < tile.size(); ++i) {
+            if (traceable(tile.rays, i)) {
+                const FirstHit first =
+                    first_hit(scene_.traced().accelerator, tile.rays, i, scene_.time());
+                const rays::RayBatch::Part part = tile.rays.part(i, first.part);
+                look(scene_.ray(V3f(part.origin), V3f(part.direction)), first.hit, measure,
+                     length_before(tile.rays, i, first.part));
+            }
+        }
+    }
+
+    void look(const embree::Ray& ray, const Hit& hit, bool measure, double before = 0.0) {
         probe_.rays += measure ? 1 : 0;
         if (measure && hit.any()) {
-            distances_.push_back((scene_.place(hit) - ray.origin).length());
+            distances_.push_back(before + double{(scene_.place(hit) - ray.origin).length()});
         }
         follow(ray, hit);
     }
@@ -234,7 +251,7 @@ Result<rays::RayProgram> compile(const camera::Camera& camera, const ProbeSettin
                                  max_film_side));
     }
     return rays::compile(camera, static_cast<double>(settings.width),
-                         static_cast<double>(settings.height), {.axes = axes}, stop);
+                         static_cast<double>(settings.height), {.axes = axes, .bends = true}, stop);
 }
 
 Result<Probe> probe(const Renderer& renderer, const camera::Camera& camera,

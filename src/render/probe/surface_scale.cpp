@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "balcony/probe.hpp"
+#include "render/job/bent_rays.hpp"
 #include "render/job/camera_rays.hpp"
 #include "render/job/coarse_rays.hpp"
 #include "render/probe/probed_scene.hpp"
@@ -30,7 +31,7 @@ public:
         for (std::size_t i = 0; i < batch.size(); ++i) {
             if (traceable(batch, i)) {
                 const embree::Hit hit =
-                    scene.nearest(scene.ray(V3f(batch.origin(i)), V3f(batch.direction(i))));
+                    first_hit(scene.traced().accelerator, batch, i, scene.time()).hit;
                 places_[i] = hit.any() ? std::optional(V3d(scene.place(hit))) : std::nullopt;
             }
         }
