@@ -29,13 +29,15 @@ Property plate_17();
 Property plate_18();
 Property plate_19();
 Property plate_20();
+Property plate_22();
 Property plate_23();
 
 std::span<const Property> properties() {
-    static const std::array all{
-        plate_01(), plate_02(), plate_03(), plate_04(), plate_05(), plate_06(), plate_07(),
-        plate_08(), plate_09(), plate_10(), plate_11(), plate_12(), plate_13(), plate_14(),
-        plate_15(), plate_16(), plate_17(), plate_18(), plate_19(), plate_20(), plate_23()};
+    static const std::array all{plate_01(), plate_02(), plate_03(), plate_04(), plate_05(),
+                                plate_06(), plate_07(), plate_08(), plate_09(), plate_10(),
+                                plate_11(), plate_12(), plate_13(), plate_14(), plate_15(),
+                                plate_16(), plate_17(), plate_18(), plate_19(), plate_20(),
+                                plate_22(), plate_23()};
     return all;
 }
 

@@ -16,6 +16,7 @@
 #include "scenes/gallery/gallery.hpp"
 #include "scenes/kitchen_table/kitchen_table.hpp"
 #include "scenes/knot/knot.hpp"
+#include "scenes/lane/lane.hpp"
 #include "scenes/marbles/marbles.hpp"
 #include "scenes/plant/plant.hpp"
 #include "scenes/print_gallery/print_gallery.hpp"
@@ -40,6 +41,7 @@ constexpr std::array scenes{
     SceneRow{"gallery", "a closed room with seven pictures (plates 1 to 3)", make_gallery},
     SceneRow{"kitchen_table", "a still life after Cézanne (plate 23)", make_kitchen_table},
     SceneRow{"knot", "a knotted, coloured tube, for pictures that hang", make_knot},
+    SceneRow{"lane", "a lane of an old town that turns round three corners (plate 22)", make_lane},
     SceneRow{"marbles", "marbles of all colours, for pictures that hang", make_marbles},
     SceneRow{"plant", "a plant in a pot by a window: a picture of plates 9 to 11", make_plant},
     SceneRow{"print_gallery", "a gallery above a harbour, with a print of itself (plate 19)",
