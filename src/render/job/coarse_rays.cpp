@@ -30,9 +30,10 @@ rays::Tile coarse_grid(const Film& film, double time) {
 
 DifferentialRay coarse_ray(const TracedScene& traced, const rays::Tile& grid, const TileRays& rays,
                            std::size_t i) {
-    const std::size_t seen = rays.all.part_count() == 1
-                                 ? 0
-                                 : first_hit(traced.accelerator, rays.all, i, rays.time_of(i)).part;
+    const embree::Accelerator& objects =
+        rays.shown != nullptr && rays.shown->some ? *rays.shown->some : traced.accelerator;
+    const std::size_t seen =
+        rays.all.part_count() == 1 ? 0 : first_hit(objects, rays.all, i, rays.time_of(i)).part;
     const rays::RayBatch::Part part = rays.all.part(i, seen);
     DifferentialRay ray{V3f(part.origin), V3f(part.direction), {}, rays.time_of(i)};
     if (traced.materials.has_textures()) {
