@@ -79,7 +79,7 @@ std::vector<StageEntry> curve_bend() {
 p(s) = point(s, ...),   0 ≤ s ≤ 1,   then straight on along p′(1)
 (x, y, z), (dx, dy, dz)   the straight ray: its origin, its unit direction
 (u, v)                    its parameters
-(px, py)                  the point of the picture, as fractions from its top left
+(px, py)                  the point of the picture, in fractions from top left
 knots   p(i/n), i = 0 .. n, so that |p − chords| ≤ tolerance
 )",
          .parameters =

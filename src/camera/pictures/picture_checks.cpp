@@ -98,8 +98,10 @@ void check_layer(const Layer& layer, Diagnostics& diagnostics) {
 // How layers are composited. Depths are compared along the rays of a camera, and of what cameras
 // see.
 void check_compositing(const Picture::Parts& parts, Diagnostics& diagnostics) {
+    const Layer* master = nullptr;
     for (std::size_t i = 0; i < parts.layers.size(); ++i) {
         const Layer& layer = parts.layers[i];
+        master = layer.compositing == Compositing::depth ? master : &layer;
         if (layer.compositing == Compositing::order) {
             continue;
         }
@@ -130,6 +132,15 @@ void check_compositing(const Picture::Parts& parts, Diagnostics& diagnostics) {
                                   "which has no depth of its own",
                                   layer.name, picture),
                       {}, "show a camera in both layers"));
+        } else if (master != nullptr && nested(*master) == nullptr &&
+                   std::get<Camera>(master->content).parts().bend != nullptr) {
+            diagnostics.push_back(
+                error(fmt::format("layer '{}' is composited by depth along the rays of layer '{}', "
+                                  "which are bent",
+                                  layer.name, master->name),
+                      {}, fmt::format("composite it by order, or show a camera without bend in "
+                                      "layer '{}'",
+                                      master->name)));
         }
     }
 }
