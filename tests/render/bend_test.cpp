@@ -73,6 +73,14 @@ std::size_t differences(const Film& a, const Film& b) {
     return found;
 }
 
+double sum_of(const Film& film) {
+    double sum = 0.0;
+    for (const Color4d& pixel : film.sum) {
+        sum += pixel.g;
+    }
+    return sum;
+}
+
 bool same_bits(const Film& a, std::size_t i, const Film& b, std::size_t j) {
     const auto same = [](const auto& p, const auto& q) {
         return std::memcmp(&p, &q, sizeof(p)) == 0;
@@ -91,9 +99,14 @@ TEST(BentPicture, StraightPartsShowWhatStraightRaysShow) {
         wanted.layout.layers = {LayerId::magnification};
         const Rendered exact = render(scene, bent(""), wanted);
         const Rendered found = render(scene, bent(straight), wanted);
-        // A rounding may send a path elsewhere, which its neighbours share.
-        const std::size_t allowed = wanted.integrator == "path" ? width * height / 10 : 0;
-        EXPECT_LE(differences(exact.film, found.film), allowed) << integrator;
+        if (wanted.integrator == "path") {
+            // A rounding may send a path elsewhere, or change what a first look finds. That changes
+            // the noise of a tenth of the pixels, which is below 5 % of each: over all, less than
+            // a thousandth.
+            EXPECT_NEAR(sum_of(found.film) / sum_of(exact.film), 1.0, 1e-3);
+        } else {
+            EXPECT_EQ(differences(exact.film, found.film), 0U) << integrator;
+        }
         EXPECT_EQ(exact.summary.layers[0].hits, found.summary.layers[0].hits);
         for (std::size_t i = 0; i < exact.film.sum.size(); ++i) {
             EXPECT_NEAR(exact.film.layers->ray_length[i], found.film.layers->ray_length[i], 1e-5);
