@@ -34,14 +34,12 @@ double proportion(const render::Film& film, const std::string& object, float abo
                                       : 0.0;
 }
 
-// The plate is seen from above and the mouth of the jar from its side, which no one eye can do, and all
-// things are there.
+// The plate is seen from above and the mouth of the jar from its side, which no one eye can do, and
+// all things are there.
 Measurements measure(Studio& studio, const Overrides& overrides) {
-    const render::Film film = studio.look({.scene = "kitchen_table",
-                                           .camera = "23-table/camera.cam",
-                                           .width = 800,
-                                           .height = 600},
-                                          overrides);
+    const render::Film film = studio.look(
+        {.scene = "kitchen_table", .camera = "23-table/camera.cam", .width = 800, .height = 600},
+        overrides);
     const Sightings fruit = sightings_of(film, "apple");
     return {{"height of the plate divided by its width", proportion(film, "plate", -1.0F), 0.75},
             {"height of the jar's mouth divided by its width",

@@ -84,8 +84,9 @@ Color wicker(const Sample& sample) {
 Color glaze(const Sample& sample) {
     const double height = 0.5 * (sample.point.y + 1.0);
     const double run = 0.17 + 0.05 * fractal_noise(V2d(sample.point.x * 8.0, 0.3), 3, 41);
-    const Color blue = mix(from_srgb(0x35506b), from_srgb(0x7e9cac),
-                           0.5 + 0.5 * fractal_noise(V2d(sample.point.x * 4.0, height * 5.0), 4, 42));
+    const Color blue =
+        mix(from_srgb(0x35506b), from_srgb(0x7e9cac),
+            0.5 + 0.5 * fractal_noise(V2d(sample.point.x * 4.0, height * 5.0), 4, 42));
     return mix(from_srgb(0xa9946c), blue, smooth_step(run, run + 0.02, height));
 }
 
@@ -99,10 +100,9 @@ std::vector<V2d> fruit_profile(double radius, double neck) {
         const double t = pi * k / steps;  // From below.
         const double dimple = 1.0 - 0.3 * std::pow(std::abs(std::cos(t)), 9.0);
         const double upper = std::max(0.0, -std::cos(t));
-        profile.emplace_back(k == 0 || k == steps
-                                 ? 0.0
-                                 : radius * std::sin(t) * (1.0 - 0.45 * neck * upper),
-                             radius * (1.0 - std::cos(t) * dimple * (1.0 + 0.6 * neck * upper)));
+        profile.emplace_back(
+            k == 0 || k == steps ? 0.0 : radius * std::sin(t) * (1.0 - 0.45 * neck * upper),
+            radius * (1.0 - std::cos(t) * dimple * (1.0 + 0.6 * neck * upper)));
     }
     return profile;
 }
@@ -114,7 +114,8 @@ V3d cloth_point(double u, double v) {
     constexpr double length = 0.86;  // Metres.
     const double way = length * (v - hang);
     const V2d at(5.5 * u, 4.0 * v);
-    const double fold = std::pow(0.5 + 0.5 * std::sin(9.0 * u + 2.2 * fractal_noise(at, 2, 51)), 2.0);
+    const double fold =
+        std::pow(0.5 + 0.5 * std::sin(9.0 * u + 2.2 * fractal_noise(at, 2, 51)), 2.0);
     const double crumple = 0.5 + 0.5 * fractal_noise(2.2 * at, 3, 52);
     const double border = 0.07 * fractal_noise(V2d(3.0 * u, v), 2, 53);
     const double x = -0.44 + 0.74 * u + 0.12 * (v - 0.5) + border * (1.0 - 2.0 * u) * v;
@@ -199,12 +200,12 @@ private:
     }
 
     void add_pots() {
-        const std::array<V2d, 18> jar{
-            V2d(0.0, 0.0),     V2d(0.055, 0.0),   V2d(0.06, 0.004),  V2d(0.074, 0.03),
-            V2d(0.092, 0.075), V2d(0.1, 0.12),    V2d(0.097, 0.155), V2d(0.084, 0.185),
-            V2d(0.062, 0.205), V2d(0.054, 0.214), V2d(0.054, 0.226), V2d(0.06, 0.234),
-            V2d(0.059, 0.239), V2d(0.05, 0.239),  V2d(0.046, 0.23),  V2d(0.046, 0.21),
-            V2d(0.06, 0.19),   V2d(0.08, 0.15)};
+        const std::array<V2d, 18> jar{V2d(0.0, 0.0),     V2d(0.055, 0.0),   V2d(0.06, 0.004),
+                                      V2d(0.074, 0.03),  V2d(0.092, 0.075), V2d(0.1, 0.12),
+                                      V2d(0.097, 0.155), V2d(0.084, 0.185), V2d(0.062, 0.205),
+                                      V2d(0.054, 0.214), V2d(0.054, 0.226), V2d(0.06, 0.234),
+                                      V2d(0.059, 0.239), V2d(0.05, 0.239),  V2d(0.046, 0.23),
+                                      V2d(0.046, 0.21),  V2d(0.06, 0.19),   V2d(0.08, 0.15)};
         put("ginger jar", lathe(jar), painted("glaze", glaze, 0.22F), at(0.02, 0.2, 0.0));
         const std::array<V2d, 16> bottle{
             V2d(0.0, 0.0),      V2d(0.036, 0.0),    V2d(0.04, 0.006),   V2d(0.041, 0.1),
@@ -215,16 +216,17 @@ private:
             at(0.21, 0.25, 0.0));
         const MaterialIndex faience = builder_.material("faience", tint(0xdcd6c4), 0.25F);
         MeshBuilder jug;
-        jug.lathe(V3d(0.0), {V2d(0.001, 0.0), V2d(0.05, 0.0), V2d(0.055, 0.006), V2d(0.075, 0.05),
-                             V2d(0.082, 0.09), V2d(0.074, 0.13), V2d(0.055, 0.17), V2d(0.051, 0.19),
-                             V2d(0.06, 0.215), V2d(0.056, 0.216), V2d(0.046, 0.19), V2d(0.05, 0.17),
-                             V2d(0.068, 0.13)},
-                  64);
+        jug.lathe(
+            V3d(0.0),
+            {V2d(0.001, 0.0), V2d(0.05, 0.0), V2d(0.055, 0.006), V2d(0.075, 0.05), V2d(0.082, 0.09),
+             V2d(0.074, 0.13), V2d(0.055, 0.17), V2d(0.051, 0.19), V2d(0.06, 0.215),
+             V2d(0.056, 0.216), V2d(0.046, 0.19), V2d(0.05, 0.17), V2d(0.068, 0.13)},
+            64);
         std::vector<MeshBuilder::Bead> handle;
         for (int k = 0; k <= 16; ++k) {
             const double t = pi * k / 16;
-            handle.push_back({V3d(-0.056 - 0.062 * std::sin(t), 0.0, 0.125 + 0.062 * std::cos(t)),
-                              0.0085});
+            handle.push_back(
+                {V3d(-0.056 - 0.062 * std::sin(t), 0.0, 0.125 + 0.062 * std::cos(t)), 0.0085});
         }
         jug.tube(handle, 16);
         put("jug", jug.mesh(), faience, at(-0.27, 0.19, 0.0, 0.35));
@@ -271,7 +273,8 @@ private:
                 rims.tube({bead(k), bead(k + 1)}, 10);
             }
         }
-        put("basket handle", rims.mesh(), builder_.material("osier", tint(0xa37a3c), 0.6F), basket_);
+        put("basket handle", rims.mesh(), builder_.material("osier", tint(0xa37a3c), 0.6F),
+            basket_);
     }
 
     struct Fruit {
@@ -282,11 +285,10 @@ private:
     };
 
     void add_fruit() {
-        const std::array kinds{
-            painted("red apple", skin(0xd8a32b, 0xa8170f, 0.85, 61), 0.32F),
-            painted("yellow apple", skin(0xe0b83c, 0xc8541a, 0.35, 63), 0.34F),
-            painted("green apple", skin(0x8fa53a, 0xc99a2e, 0.3, 65), 0.34F),
-            painted("orange", skin(0xe07a12, 0xea9a24, 0.5, 67), 0.5F)};
+        const std::array kinds{painted("red apple", skin(0xd8a32b, 0xa8170f, 0.85, 61), 0.32F),
+                               painted("yellow apple", skin(0xe0b83c, 0xc8541a, 0.35, 63), 0.34F),
+                               painted("green apple", skin(0x8fa53a, 0xc99a2e, 0.3, 65), 0.34F),
+                               painted("orange", skin(0xe07a12, 0xea9a24, 0.5, 67), 0.5F)};
         const MaterialIndex stalk = builder_.material("stalk", tint(0x2d1c0e), 0.8F);
         const auto put_all = [&](const std::string& name, const std::vector<Fruit>& all,
                                  const M44d& placed) {

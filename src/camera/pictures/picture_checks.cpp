@@ -138,9 +138,10 @@ void check_compositing(const Picture::Parts& parts, Diagnostics& diagnostics) {
                 error(fmt::format("layer '{}' is composited by depth along the rays of layer '{}', "
                                   "which are bent",
                                   layer.name, master->name),
-                      {}, fmt::format("composite it by order, or show a camera without bend in "
-                                      "layer '{}'",
-                                      master->name)));
+                      {},
+                      fmt::format("composite it by order, or show a camera without bend in "
+                                  "layer '{}'",
+                                  master->name)));
         }
     }
 }
