@@ -122,7 +122,8 @@ std::size_t straight_parts(const Division& division, const CentralRay& ray,
     // Fewer samples could miss that a path turns to and fro.
     constexpr std::size_t fewest_samples = 16;
     std::optional<double> error_of_most;
-    for (const std::size_t parts : {1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256}) {
+    for (const std::size_t parts :
+         std::array<std::size_t, 16>{1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256}) {
         Graph graph;
         Emitter trial = emit.into(graph);
         const CentralRay central = copied(ray, graph);
