@@ -14,6 +14,7 @@
 
 #include <gtest/gtest.h>
 
+#include "balcony/inverse.hpp"
 #include "balcony/lang.hpp"
 #include "balcony/probe.hpp"
 #include "support.hpp"
@@ -249,6 +250,26 @@ TEST(BentPicture, ALayerStandsBesideStraightOnes) {
         }
     }
     EXPECT_EQ(different, 0U);
+}
+
+// The points of still surfaces are exact, as they are on their rays.
+TEST(BentPicture, NothingMovesInTheMotionLayer) {
+    // Few parts, as the inverse searches each by itself.
+    const camera::Camera camera =
+        bent(parabola.substr(0, parabola.find("tolerance")) + "parts = 16)");
+    const auto inverse = analyse::Locator::make(camera, width, height, 0.0);
+    ASSERT_TRUE(inverse) << to_text(inverse.diagnostics);
+    Request wanted = request(width, height, "preview");
+    wanted.layout.layers = {LayerId::motion};
+    wanted.frames.duration = 0.04;
+    wanted.frames.previous = std::make_shared<const analyse::Locator>(*inverse);
+    wanted.frames.next = wanted.frames.previous;
+    const Rendered still = render(varied_scene(), camera, wanted);
+    EXPECT_EQ(still.summary.unknown_motion, 0U);
+    for (const V4f& motion : still.film.layers->motion) {
+        // The accuracy of the inverse.
+        ASSERT_LT(motion.length(), 1e-6F);
+    }
 }
 
 TEST(BentPicture, AProbeFollowsBends) {

@@ -56,6 +56,9 @@ struct PointData {
     Imath::V3d origin;
     Imath::V3d direction;
     double length = 0.0;  ///< From the origin to the visible surface, along the ray.
+    /// The visible surface, on the ray, as its position is rounded; without one, a point of the ray
+    /// so far away that only its last direction matters.
+    Imath::V3d end;
     V2f parameters;
     float magnification = 0.0F;  ///< 0 if unknown.
     double time = 0.0;           ///< When the ray meets the scene, in seconds.

@@ -4,6 +4,7 @@
 #include "render/job/compositor.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "images/luminance.hpp"
@@ -19,6 +20,11 @@ void mark(std::uint8_t& flag, bool set) {
     if (set) {
         flag = 1;
     }
+}
+
+// A distance from a point at which only the direction matters.
+double far_along(const V3d& from) {
+    return 1e9 * std::max({std::abs(from.x), std::abs(from.y), std::abs(from.z), 1.0});
 }
 
 }  // namespace
@@ -307,11 +313,14 @@ void Compositor::add_data(const Element& element, const Veil& veil, std::size_t 
     const rays::RayBatch& rays = tile_rays_.all;
     const V3d position(seen.visible.position);
     const rays::RayBatch::Part at = rays.part(i, part);
+    const double along =
+        seen.visible.any ? (position - at.origin).dot(at.direction) : far_along(at.origin);
     data = {true,
             static_cast<std::uint16_t>(*element.layer + 1),
             rays.origin(i),
             rays.direction(i),
-            length_before(rays, i, part) + (position - at.origin).dot(at.direction),
+            length_before(rays, i, part) + along,
+            at.origin + along * at.direction,
             parameters(rays, i),
             magnification(rays, i, part, position),
             rays.has_times() ? rays.time(i) : work.points.grid.time,

@@ -4,24 +4,12 @@
 #include "render/job/frame_motion.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace balcony::render {
 
 namespace {
 
 using Imath::V2d;
-
-// What shows no surface is so far away that only the direction matters.
-constexpr double far_away = 1e9;
-
-V3d seen_point(const PointData& point) {
-    // Along the ray, because the position is rounded.
-    const double nearer = std::max(
-        {std::abs(point.origin.x), std::abs(point.origin.y), std::abs(point.origin.z), 1.0});
-    const double distance = point.visible.any ? point.length : far_away * nearer;
-    return point.origin + distance * point.direction;
-}
 
 V2d center(const Region& region, std::size_t i) {
     return {static_cast<double>(region.x + i % region.width) + 0.5,
@@ -43,13 +31,12 @@ FrameMotion::FrameMotion(const scene::Scene& scene, const FrameSettings& frames,
 // The point of the surface at another time.
 V3d FrameMotion::moved(const Way& way, const PointData& point, double time) const {
     const VisibleSurface& hit = point.visible;
-    const V3d seen = seen_point(point);
     if (!hit.any) {
-        return seen;
+        return point.end;
     }
     const scene::MeshIndex mesh = scene_->instances[hit.instance].mesh;
     if (way.steps.matrices(hit.instance).size() == 1 && way.steps.shape_count(mesh) == 1) {
-        return seen;
+        return point.end;
     }
     const auto& corners = scene_->meshes[mesh.value()]->triangles[hit.triangle];
     const auto place = [&](double when) {
@@ -62,7 +49,7 @@ V3d FrameMotion::moved(const Way& way, const PointData& point, double time) cons
         return ((1.0 - u - v) * corner(0) + u * corner(1) + v * corner(2)) *
                way.steps.matrix(hit.instance, part);
     };
-    return seen + place(time) - place(point.time);
+    return point.end + place(time) - place(point.time);
 }
 
 // Where another picture shows the points. Points without a ray are found nowhere.
