@@ -161,43 +161,33 @@ public:
         roots_.push_back(formula);
     }
 
+    template <class Vector>
+    void add_xyz(const std::string& name, const Vector& v) {
+        add(name + "_x", v.x);
+        add(name + "_y", v.y);
+        add(name + "_z", v.z);
+    }
+
     void add_ray(const std::string& prefix, const camera::RayExpressions& ray) {
         add(prefix + "u", ray.parameters.u);
         add(prefix + "v", ray.parameters.v);
-        add(prefix + "origin_x", ray.origin.x);
-        add(prefix + "origin_y", ray.origin.y);
-        add(prefix + "origin_z", ray.origin.z);
-        add(prefix + "direction_x", ray.direction.x);
-        add(prefix + "direction_y", ray.direction.y);
-        add(prefix + "direction_z", ray.direction.z);
+        add_xyz(prefix + "origin", ray.origin);
+        add_xyz(prefix + "direction", ray.direction);
         add(prefix + "valid", ray.valid);
         if (ray.lens) {
             const camera::RayExpressions through = camera::through_lens(ray);
-            add(prefix + "lens_origin_x", through.origin.x);
-            add(prefix + "lens_origin_y", through.origin.y);
-            add(prefix + "lens_origin_z", through.origin.z);
-            add(prefix + "lens_direction_x", through.direction.x);
-            add(prefix + "lens_direction_y", through.direction.y);
-            add(prefix + "lens_direction_z", through.direction.z);
+            add_xyz(prefix + "lens_origin", through.origin);
+            add_xyz(prefix + "lens_direction", through.direction);
         }
         if (ray.time) {
             add(prefix + "time", *ray.time);
         }
         if (ray.bend) {
-            add_bend(prefix, *ray.bend);
+            for (std::size_t i = 0; i < ray.bend->knots.size(); ++i) {
+                add_xyz(fmt::format("{}knot_{}", prefix, i + 1), ray.bend->knots[i]);
+            }
+            add_xyz(prefix + "last_direction", ray.bend->direction);
         }
-    }
-
-    void add_bend(const std::string& prefix, const camera::BendExpressions& bend) {
-        const auto add_xyz = [&](const std::string& name, const auto& v) {
-            add(prefix + name + "_x", v.x);
-            add(prefix + name + "_y", v.y);
-            add(prefix + name + "_z", v.z);
-        };
-        for (std::size_t i = 0; i < bend.knots.size(); ++i) {
-            add_xyz(fmt::format("knot_{}", i + 1), bend.knots[i]);
-        }
-        add_xyz("last_direction", bend.direction);
     }
 
     /// Names what the formulas have in common after the stages of a camera.
