@@ -41,7 +41,8 @@ struct Unknown {
     std::string input;
     double value = 0.0;     ///< Where the search begins.
     camera::Range range{};  ///< The values that it may have.
-    /// How far it may be from `value`: a standard deviation. Without it, anywhere in the range.
+    /// How far it may be from `value`: a standard deviation, in deviation_range. Without it,
+    /// anywhere in the range.
     std::optional<double> deviation{};
     std::string name{};  ///< What messages call it, if not as its input.
 };
@@ -92,6 +93,10 @@ enum class ConstraintKind : std::uint8_t {
     unfolded,       ///< At a position, the picture is not mirrored and not compressed to a line.
 };
 
+/// The values of standard deviations and tolerances: the squares of what is measured by them are
+/// finite numbers.
+inline constexpr camera::Range deviation_range{1e-12, 1e12};
+
 /// One demand on the picture.
 struct Constraint {
     ConstraintKind kind = ConstraintKind::at;
@@ -100,10 +105,11 @@ struct Constraint {
     double value = 0.0;
     /// Where a magnification or a shape is measured, in scene units; without it at infinity.
     std::optional<double> distance{};
-    /// The standard deviation of what it misses, above 0: in pixels for marks; for magnifications
-    /// as a part of the value; for shapes as a part of 1.
+    /// The standard deviation of what it misses, in deviation_range: in pixels for marks; for
+    /// magnifications as a part of the value; for shapes as a part of 1.
     double deviation = 1.0;
-    /// What it misses beyond so many standard deviations counts less and less (Cauchy's loss).
+    /// What it misses beyond so many standard deviations, in deviation_range, counts less and less
+    /// (Cauchy's loss).
     std::optional<double> tolerance{};
     SourceSpan written{};  ///< Where a file has it, for messages.
 };
@@ -180,10 +186,10 @@ using CameraMaker = std::function<Result<camera::Camera>(std::span<const double>
 /// Finds values for the unknowns with which a picture of a size in pixels misses as little of the
 /// constraints as it can. It is an error if there are no unknowns or constraints, if an index, a
 /// number or an input is not known, if no ray meets a mark that must be seen, if a target has
-/// neither a start nor the marks for one, and, of Kind::interrupted, if it is stopped. Unknowns
-/// that the constraints do not determine keep their first values, with a warning, as there is for a
-/// mark that the found camera does not show, and for constraints that ask for less than there are
-/// unknowns.
+/// neither a start nor the marks for one, and, of Kind::interrupted, if it is stopped. There
+/// are warnings for unknowns that the constraints do not determine, which change no more than these
+/// ask for, for constraints that are fewer equations than there are unknowns, and for marks that
+/// the found camera does not show.
 [[nodiscard]] Result<Solution> solve(const CameraMaker& make, double width, double height,
                                      const Problem& problem, const Options& options = {},
                                      const std::stop_token& stop = {});

@@ -4,8 +4,11 @@
 #include "solve/problem_check.hpp"
 
 #include <cmath>
+#include <string>
 
 #include <fmt/format.h>
+
+#include "camera/catalogue/parameter_text.hpp"
 
 namespace balcony::solve {
 
@@ -17,11 +20,13 @@ Diagnostic numbered(std::string_view what, std::size_t i, std::string_view probl
     return error(fmt::format("{} {} {}", what, i + 1, problem));
 }
 
-bool is_within(const Unknown& unknown) {
-    const camera::Range& range = unknown.range;
-    return unknown.value <= range.maximum &&
-           (range.excludes_minimum ? unknown.value > range.minimum
-                                   : unknown.value >= range.minimum);
+bool is_out_of_range(const std::optional<double>& deviation) {
+    return deviation && !camera::contains(deviation_range, *deviation);
+}
+
+std::string out_of_range(std::string_view what) {
+    return fmt::format("has a {} that is not between {:g} and {:g}", what, deviation_range.minimum,
+                       deviation_range.maximum);
 }
 
 void check_constraint(const Constraint& constraint, std::size_t i, const Problem& problem,
@@ -39,11 +44,11 @@ void check_constraint(const Constraint& constraint, std::size_t i, const Problem
             wrong(fmt::format("names mark {} of {}", mark + 1, problem.marks.size()));
         }
     }
-    if (!(constraint.deviation > 0.0 && std::isfinite(constraint.deviation))) {
-        wrong("has a deviation that is not above 0");
+    if (is_out_of_range(constraint.deviation)) {
+        wrong(out_of_range("deviation"));
     }
-    if (constraint.tolerance && !(*constraint.tolerance > 0.0)) {
-        wrong("has a tolerance that is not above 0");
+    if (is_out_of_range(constraint.tolerance)) {
+        wrong(out_of_range("tolerance"));
     }
     if (constraint.distance && !(*constraint.distance > 0.0)) {
         wrong("has a distance that is not above 0");
@@ -68,13 +73,13 @@ Diagnostics problems_of(const Problem& problem) {
     }
     for (std::size_t i = 0; i < problem.unknowns.size(); ++i) {
         const Unknown& unknown = problem.unknowns[i];
-        if (!std::isfinite(unknown.value) || !is_within(unknown)) {
+        if (!std::isfinite(unknown.value) || !camera::contains(unknown.range, unknown.value)) {
             found.push_back(numbered("unknown", i,
                                      fmt::format("('{}') begins at {}, outside its range",
                                                  unknown.input, unknown.value)));
         }
-        if (unknown.deviation && !(*unknown.deviation > 0.0)) {
-            found.push_back(numbered("unknown", i, "has a deviation that is not above 0"));
+        if (is_out_of_range(unknown.deviation)) {
+            found.push_back(numbered("unknown", i, out_of_range("deviation")));
         }
     }
     for (std::size_t i = 0; i < problem.targets.size(); ++i) {

@@ -201,40 +201,71 @@ std::optional<Solution> solution_of(const Minimum& minimum, const System& system
     return made;
 }
 
-// What is doubtful about a solution for which a problem has so many equations.
-Diagnostics warnings_of(const Problem& problem, const Solution& solution, std::size_t equations) {
+constexpr std::size_t most_named = 5;  // In one warning, or in warnings of one kind.
+
+Diagnostics warn_of_freedom(const Problem& problem, const Solution& solution,
+                            std::size_t equations) {
     Diagnostics warnings;
-    for (std::size_t i = 0; i < problem.unknowns.size(); ++i) {
-        if (!std::isfinite(solution.deviations[i])) {
-            warnings.push_back(warning(
-                fmt::format("the constraints do not determine '{}'", name_of(problem.unknowns[i])),
-                {}, "add a constraint that it changes, or leave it out of the unknowns"));
-        }
-    }
     const std::size_t unknowns = problem.unknowns.size() + 6 * problem.targets.size();
     if (equations < unknowns) {
         warnings.push_back(warning(
             fmt::format("the constraints are {}, too few for {}", counted(equations, "equation"),
                         counted(unknowns, "unknown number")),
-            {}, "add constraints, or leave out unknowns"));
+            {}, "add constraints, leave out unknowns, or give unknowns a deviation"));
     }
-    constexpr std::size_t named = 5;  // Of the marks that are not seen.
+    std::vector<std::string> free;
+    std::size_t others = 0;
+    for (std::size_t i = 0; i < problem.unknowns.size(); ++i) {
+        if (!std::isfinite(solution.deviations[i])) {
+            if (free.size() < most_named) {
+                free.push_back(name_of(problem.unknowns[i]));
+            } else {
+                ++others;
+            }
+        }
+    }
+    if (!free.empty()) {
+        warnings.push_back(warning(
+            fmt::format("the constraints do not determine {}{}", all_of(free),
+                        others > 0 ? fmt::format(", nor {}", counted(others, "other")) : ""),
+            {}, "add a constraint that changes with it, or leave it out of the unknowns"));
+    }
+    return warnings;
+}
+
+Diagnostics warn_of_unseen(const Problem& problem, const Solution& solution) {
+    Diagnostics warnings;
     std::size_t unseen = 0;
     const std::vector<bool> wanted = marks_in_use(problem, ConstraintKind::outside);
     for (std::size_t i = 0; i < problem.marks.size(); ++i) {
-        if (wanted[i] && !solution.seen[i] && ++unseen <= named) {
-            warnings.push_back(warning(
-                fmt::format("the camera that was found does not show {}",
-                            name_of(problem.marks[i], i)),
-                problem.marks[i].written,
-                "correct its place or its position, or free a parameter that brings it into view"));
+        if (!wanted[i] || solution.seen[i] || ++unseen > most_named) {
+            continue;
+        }
+        warnings.push_back(warning(
+            fmt::format("the camera that was found does not show {}", name_of(problem.marks[i], i)),
+            problem.marks[i].written,
+            "correct its place or its position, or free a parameter that brings it into view"));
+        for (const Constraint& constraint : problem.constraints) {
+            const auto& marks = constraint.marks;
+            if (constraint.written.source &&
+                std::find(marks.begin(), marks.end(), i) != marks.end()) {
+                warnings.back().notes.push_back({constraint.written, "a constraint on it"});
+            }
         }
     }
-    if (unseen > named) {
+    if (unseen > most_named) {
         warnings.push_back(
-            warning(fmt::format("nor does it show {}", counted(unseen - named, "other mark")), {},
-                    "start the unknowns nearer to the camera that is meant"));
+            warning(fmt::format("nor does it show {}", counted(unseen - most_named, "other mark")),
+                    {}, "start the unknowns nearer to the camera that is meant"));
     }
+    return warnings;
+}
+
+// What is doubtful about a solution for which a problem has so many equations.
+Diagnostics warnings_of(const Problem& problem, const Solution& solution, std::size_t equations) {
+    Diagnostics warnings = warn_of_freedom(problem, solution, equations);
+    Diagnostics unseen = warn_of_unseen(problem, solution);
+    std::move(unseen.begin(), unseen.end(), std::back_inserter(warnings));
     return warnings;
 }
 

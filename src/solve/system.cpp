@@ -282,7 +282,11 @@ std::optional<Residuals> System::residuals(const Eigen::VectorXd& unknowns) {
             made.by_unknown(next++, k) = 1.0 / *deviation;
         }
     }
-    if (const double squares = made.values.squaredNorm(); squares < least_squares_) {
+    const double squares = made.values.squaredNorm();
+    if (!std::isfinite(squares)) {
+        return std::nullopt;
+    }
+    if (squares < least_squares_) {
         least_squares_ = squares;
         for (std::size_t i = 0; i < marks.size(); ++i) {
             near_[i] = marks[i] && marks[i]->reached ? marks[i]->at : near_[i];

@@ -34,7 +34,8 @@ public:
     [[nodiscard]] std::vector<double> inputs_of(const Eigen::VectorXd& unknowns) const;
     [[nodiscard]] std::vector<Pose> poses_of(const Eigen::VectorXd& unknowns) const;
 
-    /// Nothing if a mark that has no position of its own is not seen, or a shape has no value.
+    /// Nothing if a mark that has no position of its own is not seen, a shape has no value, or the
+    /// sum of squares is not finite.
     [[nodiscard]] std::optional<Residuals> residuals(const Eigen::VectorXd& unknowns);
     /// Where the marks appear.
     [[nodiscard]] std::vector<std::optional<SeenMark>> seen(const Eigen::VectorXd& unknowns) const;

@@ -214,8 +214,13 @@ class Solve(support.CommandTest):
                          ["the constraints do not determine 'px'"])
         (missed, *_) = said(marks(unknowns="[yaw]"))
         self.assertRegex(missed, r"^'at gable' is missed by \d+\.\d standard deviations")
+        wrong = said(marks() + "  - {length: [door, gable], value: 90}\n")
+        self.assertEqual(wrong, ["'length door, gable' contradicts the other constraints, which "
+                                 "can be met without it"])
         few = said(marks(unknowns="[fov, yaw, px]", constraints="[{at: door, position: [1, 2]}]"))
-        self.assertIn("the constraints are 2 equations, too few for 3 unknown numbers", few)
+        self.assertEqual(few[:2], [
+            "the constraints are 2 equations, too few for 3 unknown numbers",
+            "the constraints do not determine 'fov', 'yaw' and 'px'"])
 
     def test_outputs(self):
         self.refused("solve", "photo.cam", "--with", "marks.yml", "-o", "photo.cam", code=2,
@@ -225,6 +230,16 @@ class Solve(support.CommandTest):
         self.refused("solve", "photo.cam", "--with", "none.yml", code=1,
                      says="there is no file 'none.yml'")
         self.assertEqual((self.folder / "photo.cam").read_text(), CAMERA)
+
+    def test_says_which_constraint_is_on_a_mark_that_is_not_seen(self):
+        text = marks(constraints="[{at: door, position: [155, 147]}, {at: back, position: [9, 9]}]",
+                     marks="{door: [10, 0, 0], back: [-10, 0, 0]}")
+        (self.folder / "marks.yml").write_text(text)
+        out, err = self.run_command("solve", "photo.cam", "--with", "marks.yml")
+        self.assertIn("the camera that was found does not show the mark 'back'", err)
+        self.assertIn("marks.yml:4:50: note: a constraint on it", err)
+        self.assertNotIn("'at back' is missed", err)
+        self.assertRegex(out, r"at back +not seen")
 
 
 if __name__ == "__main__":

@@ -6,7 +6,7 @@
 
 namespace balcony::app {
 
-/// Pairs of constraints on one mark that no camera can fulfil both.
+/// Pairs of constraints on the same marks or position that no camera can fulfil both.
 [[nodiscard]] Diagnostics contradictions_of(const solve::Problem& problem);
 
 }  // namespace balcony::app

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "app/solving/constraint_entries.hpp"
 #include "app/solving/contradictions.hpp"
 #include "app/solving/parameter_entries.hpp"
 #include "app/solving/yaml_entries.hpp"
@@ -26,36 +27,15 @@ namespace {
 
 using solve::Constraint;
 using solve::ConstraintKind;
-using solve::ConstraintKindInfo;
 using solve::Mark;
 using solve::V2d;
 using solve::V3d;
-using solve::ValueUse;
 
 constexpr std::string_view whole_remedy =
     "a file of marks has the entries size, marks and constraints, or boards";
 constexpr std::string_view place_remedy =
     "write a point of space as [x, y, z], or as {point: [x, y, z]} or {direction: [x, y, z]} with "
     "more about it";
-constexpr std::string_view constraint_remedy =
-    "write a constraint as {at: MARK, position: [x, y]} or {level: [MARK, MARK]}";
-
-const ConstraintKindInfo* kind_named(std::string_view name) {
-    const auto& kinds = solve::constraint_kinds();
-    const auto found = std::find_if(kinds.begin(), kinds.end(), [&](const ConstraintKindInfo& one) {
-        return one.name == name;
-    });
-    return found != kinds.end() ? &*found : nullptr;
-}
-
-std::vector<std::string> names_of_kinds() {
-    std::vector<std::string> names;
-    for (const ConstraintKindInfo& kind : solve::constraint_kinds()) {
-        names.emplace_back(kind.name);
-    }
-    return names;
-}
-
 class MarksReader {
 public:
     explicit MarksReader(const std::shared_ptr<const SourceText>& source)
@@ -262,134 +242,16 @@ private:
     void constraints(const YamlEntry& entry) {
         if (!entry.value.IsSequence()) {
             yaml_.error(yaml_.at(entry.value), "'constraints' is not a list",
-                        std::string(constraint_remedy));
+                        std::string(ConstraintReader::remedy));
             return;
         }
+        const ConstraintReader reader(yaml_, marks_, from_corner_);
         for (const YAML::Node& row : entry.value) {
             if (yaml_.goes_on()) {
-                constraint(row);
-            }
-        }
-    }
-
-    void constraint(const YAML::Node& row) {
-        std::vector<std::string> known = names_of_kinds();
-        known.insert(known.end(),
-                     {"position", "value", "distance", "deviation", "weight", "tolerance"});
-        const std::vector<YamlEntry> entries =
-            yaml_.map(row, "the constraint", constraint_remedy, known);
-        const YamlEntry* kind_entry = nullptr;
-        for (const YamlEntry& one : entries) {
-            if (kind_named(one.name) == nullptr) {
-                continue;
-            }
-            if (kind_entry != nullptr) {
-                yaml_.error(one.written,
-                            fmt::format("a constraint is not both '{}' and '{}'", kind_entry->name,
-                                        one.name),
-                            "write two rows");
-                return;
-            }
-            kind_entry = &one;
-        }
-        if (kind_entry == nullptr) {
-            if (row.IsMap() && (!has_errors(yaml_.found()) || !entries.empty())) {
-                yaml_.error(yaml_.at(row), "this constraint does not say what it demands",
-                            fmt::format("begin it with one of {}", one_of(names_of_kinds())));
-            }
-            return;
-        }
-        const ConstraintKindInfo& kind = *kind_named(kind_entry->name);
-        const std::size_t before = yaml_.found().size();
-        Constraint made;
-        made.kind = kind.kind;
-        made.written = kind_entry->written;
-        std::string label(kind.name);
-        subject(*kind_entry, kind, made, label);
-        details(entries, kind, made);
-        if (yaml_.found().size() == before) {
-            add(std::move(made), std::move(label));
-        }
-    }
-
-    /// The marks of a constraint, or its position.
-    void subject(const YamlEntry& entry, const ConstraintKindInfo& kind, Constraint& made,
-                 std::string& label) {
-        if (kind.marks == 0) {
-            made.position = position(entry.value).value_or(V2d(0.0));
-            label += fmt::format(" ({:g}, {:g})", made.position.x, made.position.y);
-            return;
-        }
-        const std::vector<YAML::Node> named = yaml_.list(entry.value);
-        if (named.size() != kind.marks) {
-            yaml_.error(yaml_.at(entry.value),
-                        fmt::format("'{}' takes {}, not {}", kind.name, counted(kind.marks, "mark"),
-                                    named.size()),
-                        fmt::format("it means that {}", kind.meaning));
-            return;
-        }
-        for (const YAML::Node& one : named) {
-            if (const auto mark = yaml_.index_of(one, marks_, "mark")) {
-                made.marks.push_back(*mark);
-                label += fmt::format("{}{}", label == kind.name ? " " : ", ", marks_[*mark]);
-            }
-        }
-    }
-
-    void details(const std::vector<YamlEntry>& entries, const ConstraintKindInfo& kind,
-                 Constraint& made) {
-        bool has_position = false;
-        bool has_value = false;
-        for (const YamlEntry& one : entries) {
-            const auto only_of = [&](bool fits) {
-                if (!fits) {
-                    yaml_.error(
-                        one.written, fmt::format("'{}' has no {}", kind.name, one.name),
-                        fmt::format("remove it; '{}' means that {}", kind.name, kind.meaning));
-                }
-                return fits;
-            };
-            if (one.name == "position" && only_of(kind.kind == ConstraintKind::at)) {
-                made.position = position(one.value).value_or(V2d(0.0));
-                has_position = true;
-            } else if (one.name == "value" && only_of(kind.value != ValueUse::none)) {
-                made.value = yaml_.plain_number(one.value, "write a number").value_or(0.0);
-                has_value = true;
-            } else if (one.name == "distance" && only_of(kind.marks == 0)) {
-                made.distance = yaml_.positive(one);
-            }
-        }
-        measure(entries, made);
-        if (kind.kind == ConstraintKind::at && !has_position) {
-            yaml_.error(made.written, "'at' has no position", "add position: [x, y] in pixels");
-        }
-        if (kind.value == ValueUse::must && !has_value) {
-            yaml_.error(
-                made.written, fmt::format("'{}' has no value", kind.name),
-                fmt::format("add value: NUMBER; '{}' means that {}", kind.name, kind.meaning));
-        } else if (kind.kind == ConstraintKind::magnification && !(made.value > 0.0)) {
-            yaml_.error(made.written, "a magnification must be above 0", "write value: 500");
-        }
-    }
-
-    /// How much a miss counts.
-    void measure(const std::vector<YamlEntry>& entries, Constraint& made) {
-        const auto entry = [&](std::string_view name) -> const YamlEntry* {
-            for (const YamlEntry& one : entries) {
-                if (one.name == name) {
-                    return &one;
+                if (auto read = reader.read(row)) {
+                    add(std::move(read->first), std::move(read->second));
                 }
             }
-            return nullptr;
-        };
-        if (const YamlEntry* const deviation = entry("deviation")) {
-            made.deviation = yaml_.positive(*deviation).value_or(1.0);
-        }
-        if (const YamlEntry* const weight = entry("weight")) {
-            made.deviation /= std::sqrt(yaml_.positive(*weight).value_or(1.0));
-        }
-        if (const YamlEntry* const tolerance = entry("tolerance")) {
-            made.tolerance = yaml_.positive(*tolerance);
         }
     }
 
@@ -431,7 +293,7 @@ private:
             }
         }
         Constraint like;
-        measure(entries, like);
+        read_measure(entries, yaml_, like);
         if (columns * rows == 0 || !corners.IsSequence() || corners.size() != columns * rows) {
             yaml_.error(yaml_.at(corners.IsSequence() ? corners : node),
                         fmt::format("{} needs columns x rows = {} corners, but has {}", what,

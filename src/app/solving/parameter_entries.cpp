@@ -49,9 +49,9 @@ void describe(const YamlEntry& entry, Marks::Parameter& parameter, YamlEntries& 
             range(one, parameter, yaml);
         } else {
             parameter.deviation = yaml.number(one.value, remedy);
-            if (parameter.deviation && !(parameter.deviation->value > 0.0)) {
-                yaml.error(yaml.at(one.value), "a deviation must be above 0",
-                           "leave it out if nothing is known about the parameter");
+            if (parameter.deviation) {
+                yaml.is_in_deviation_range(parameter.deviation->written, "deviation",
+                                           parameter.deviation->value);
             }
         }
     }

@@ -9,6 +9,7 @@
 
 #include "app/solving/camera_problem.hpp"
 #include "app/solving/drawing_file.hpp"
+#include "app/solving/missed_rows.hpp"
 #include "app/solving/object_marks.hpp"
 #include "app/words.hpp"
 #include "balcony/inputs.hpp"
@@ -54,28 +55,6 @@ void add_correlations(SolveReport& report) {
             }
         }
     }
-}
-
-// The rows that are missed by far, the worst first.
-Diagnostics warn_of_misses(const SolveReport& report) {
-    constexpr double far = 5.0;  // Deviations.
-    constexpr std::size_t most = 5;
-    Diagnostics found;
-    for (const std::size_t i : worst_constraints(report)) {
-        if (report.solution.misses[i].deviations <= far || found.size() == most) {
-            break;
-        }
-        if (report.problem.constraints[i].tolerance) {
-            continue;
-        }
-        found.push_back(warning(
-            fmt::format("'{}' is missed by {:.3g} standard deviations: the constraints contradict "
-                        "each other, or the camera cannot fulfil them",
-                        report.labels[i], report.solution.misses[i].deviations),
-            report.problem.constraints[i].written,
-            "correct the row, raise its deviation, give it a tolerance, or free more parameters"));
-    }
-    return found;
 }
 
 // The expressions that the new file has in place of others.
@@ -220,16 +199,17 @@ Result<SolveReport> solve_camera(const SolveRequest& request, const std::stop_to
     solve::Options options;
     options.starts = request.starts;
     options.errors.emplace();
+    const solve::CameraMaker maker = subject.maker(*wanted);
     Result<solve::Solution> solution =
-        solve::solve(subject.maker(*wanted), static_cast<double>(report.width),
-                     static_cast<double>(report.height), report.problem, options, stop);
+        solve::solve(maker, static_cast<double>(report.width), static_cast<double>(report.height),
+                     report.problem, options, stop);
     if (add(found, solution.diagnostics)) {
         return found;
     }
     report.solution = std::move(*solution);
     add_parameters(wanted->all(), report);
     add_correlations(report);
-    add(found, warn_of_misses(report));
+    add(found, warn_of_misses(report, maker, stop));
     Result<std::string> text = workspace.with_values(
         asked->file, report.camera, new_values(report, wanted->all(), asked->overrides));
     if (!text) {

@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <numbers>
 #include <set>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "app/words.hpp"
 #include "balcony/names.hpp"
 #include "balcony/options.hpp"
+#include "camera/catalogue/parameter_text.hpp"
 #include "data/yaml_places.hpp"
 
 namespace balcony::app {
@@ -137,6 +139,19 @@ std::optional<double> YamlEntries::positive(const YamlEntry& entry) {
         return std::nullopt;
     }
     return value;
+}
+
+bool YamlEntries::is_in_deviation_range(const SourceSpan& written, std::string_view what,
+                                        double value, std::string remedy) {
+    const camera::Range& range = solve::deviation_range;
+    const bool fits = camera::contains(range, value);
+    if (!fits) {
+        error(written,
+              fmt::format("a {} of {:g} is not between {:g} and {:g}", what, value, range.minimum,
+                          range.maximum),
+              std::move(remedy));
+    }
+    return fits;
 }
 
 std::optional<std::size_t> YamlEntries::count(const YamlEntry& entry, std::size_t most) {

@@ -56,6 +56,10 @@ public:
     [[nodiscard]] std::optional<double> plain_number(const YAML::Node& node,
                                                      std::string_view remedy);
     [[nodiscard]] std::optional<double> positive(const YamlEntry& entry);
+    /// Whether a number that was read can be a standard deviation or a tolerance.
+    bool is_in_deviation_range(
+        const SourceSpan& written, std::string_view what, double value,
+        std::string remedy = "write a number in this range, or leave it out");
     [[nodiscard]] std::optional<std::size_t> count(const YamlEntry& entry, std::size_t most);
     [[nodiscard]] std::optional<Imath::V2d> position(const YAML::Node& node);
     [[nodiscard]] std::optional<Imath::V3d> vector(const YAML::Node& node, std::string_view remedy);

@@ -50,7 +50,13 @@ std::string parameters_text(const app::SolveReport& report) {
 }
 
 // What a constraint misses: its numbers, of which marks have pixels.
-std::string miss_text(const solve::Miss& miss) {
+std::string miss_text(const app::SolveReport& report, std::size_t row) {
+    for (const std::size_t mark : report.problem.constraints[row].marks) {
+        if (!report.solution.seen[mark]) {
+            return "not seen";
+        }
+    }
+    const solve::Miss& miss = report.solution.misses[row];
     std::string text;
     for (std::size_t i = 0; i < miss.count; ++i) {
         text += fmt::format("{}{:.4g}", i == 0 ? "" : ", ", miss.by[i]);
@@ -75,14 +81,30 @@ std::string constraints_text(const app::SolveReport& report) {
     std::string text =
         fmt::format("{:<{}}  {:>20}  {:>10}\n", "constraint", longest, "missed by", "deviations");
     for (const std::size_t i : rows) {
-        const solve::Miss& miss = report.solution.misses[i];
         text += fmt::format("{:<{}}  {:>20}  {:>10.3g}\n", printable(report.labels[i]), longest,
-                            miss_text(miss), miss.deviations);
+                            miss_text(report, i), report.solution.misses[i].deviations);
     }
     if (count > most) {
         text += fmt::format("... of {} constraints, the ones that are missed most\n", count);
     }
     return text;
+}
+
+std::string uncertainty_text(const app::SolveReport& report) {
+    const auto errors = app::uncertainty(report);
+    if (!errors || !(errors->most > 0.0)) {
+        return "";
+    }
+    const std::string what = "expected uncertainty of projections: ";
+    if (!std::isfinite(errors->least)) {
+        return what + "not determined\n";
+    }
+    if (!std::isfinite(errors->most)) {
+        return fmt::format("{}from {:.3g} pixels; not determined in parts of the picture\n", what,
+                           errors->least);
+    }
+    return fmt::format("{}{:.3g} to {:.3g} pixels, median {:.3g}\n", what, errors->least,
+                       errors->most, errors->median);
 }
 
 json pose_json(const solve::Pose& pose) {
@@ -102,12 +124,7 @@ std::string to_text(const app::SolveReport& report) {
         text +=
             fmt::format("marks miss their positions by {:.4g} pixels (root mean square)\n", *error);
     }
-    if (const auto errors = app::uncertainty(report); errors && errors->most > 0.0) {
-        text += fmt::format(
-            "expected uncertainty of projections: {:.3g} to {:.3g} pixels, median {:.3g}\n",
-            errors->least, errors->most, errors->median);
-    }
-    return text;
+    return text + uncertainty_text(report);
 }
 
 json to_json(const app::SolveReport& report) {

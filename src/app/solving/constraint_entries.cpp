@@ -1,0 +1,178 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "app/solving/constraint_entries.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "balcony/names.hpp"
+
+namespace balcony::app {
+
+namespace {
+
+using solve::Constraint;
+using solve::ConstraintKind;
+using solve::ConstraintKindInfo;
+using solve::V2d;
+using solve::ValueUse;
+
+const ConstraintKindInfo* kind_named(std::string_view name) {
+    const auto& kinds = solve::constraint_kinds();
+    const auto found = std::find_if(kinds.begin(), kinds.end(), [&](const ConstraintKindInfo& one) {
+        return one.name == name;
+    });
+    return found != kinds.end() ? &*found : nullptr;
+}
+
+std::vector<std::string> names_of_kinds() {
+    std::vector<std::string> names;
+    for (const ConstraintKindInfo& kind : solve::constraint_kinds()) {
+        names.emplace_back(kind.name);
+    }
+    return names;
+}
+
+}  // namespace
+
+void read_measure(const std::vector<YamlEntry>& entries, YamlEntries& yaml, Constraint& made) {
+    const auto entry = [&](std::string_view name) -> const YamlEntry* {
+        for (const YamlEntry& one : entries) {
+            if (one.name == name) {
+                return &one;
+            }
+        }
+        return nullptr;
+    };
+    const YamlEntry* const deviation = entry("deviation");
+    if (deviation != nullptr) {
+        made.deviation = yaml.positive(*deviation).value_or(1.0);
+    }
+    const YamlEntry* const weight = entry("weight");
+    if (weight != nullptr) {
+        made.deviation /= std::sqrt(yaml.positive(*weight).value_or(1.0));
+    }
+    if (const YamlEntry* const written = weight != nullptr ? weight : deviation) {
+        yaml.is_in_deviation_range(yaml.at(written->value), "deviation", made.deviation,
+                                    "write another number; a weight divides the deviation by "
+                                    "its square root");
+    }
+    if (const YamlEntry* const tolerance = entry("tolerance")) {
+        made.tolerance = yaml.positive(*tolerance);
+        if (made.tolerance) {
+            yaml.is_in_deviation_range(yaml.at(tolerance->value), "tolerance",
+                                        *made.tolerance);
+        }
+    }
+}
+
+std::optional<std::pair<Constraint, std::string>> ConstraintReader::read(
+    const YAML::Node& row) const {
+    std::vector<std::string> known = names_of_kinds();
+    known.insert(known.end(),
+                 {"position", "value", "distance", "deviation", "weight", "tolerance"});
+    const std::vector<YamlEntry> entries =
+        yaml_.map(row, "the constraint", remedy, known);
+    const YamlEntry* kind_entry = nullptr;
+    for (const YamlEntry& one : entries) {
+        if (kind_named(one.name) == nullptr) {
+            continue;
+        }
+        if (kind_entry != nullptr) {
+            yaml_.error(one.written,
+                        fmt::format("a constraint is not both '{}' and '{}'", kind_entry->name,
+                                    one.name),
+                        "write two rows");
+            return std::nullopt;
+        }
+        kind_entry = &one;
+    }
+    if (kind_entry == nullptr) {
+        if (row.IsMap() && (!has_errors(yaml_.found()) || !entries.empty())) {
+            yaml_.error(yaml_.at(row), "this constraint does not say what it demands",
+                        fmt::format("begin it with one of {}", one_of(names_of_kinds())));
+        }
+        return std::nullopt;
+    }
+    const ConstraintKindInfo& kind = *kind_named(kind_entry->name);
+    const std::size_t before = yaml_.found().size();
+    Constraint made;
+    made.kind = kind.kind;
+    made.written = kind_entry->written;
+    std::string label(kind.name);
+    subject(*kind_entry, kind, made, label);
+    details(entries, kind, made);
+    return yaml_.found().size() == before
+               ? std::optional(std::pair(std::move(made), std::move(label)))
+               : std::nullopt;
+}
+
+std::optional<V2d> ConstraintReader::position(const YAML::Node& node) const {
+    const auto read = yaml_.position(node);
+    return read ? std::optional(*read + from_corner_) : std::nullopt;
+}
+
+// The marks of a constraint, or its position.
+void ConstraintReader::subject(const YamlEntry& entry, const ConstraintKindInfo& kind, Constraint& made,
+             std::string& label) const {
+    if (kind.marks == 0) {
+        made.position = position(entry.value).value_or(V2d(0.0));
+        label += fmt::format(" ({:g}, {:g})", made.position.x, made.position.y);
+        return;
+    }
+    const std::vector<YAML::Node> named = yaml_.list(entry.value);
+    if (named.size() != kind.marks) {
+        yaml_.error(yaml_.at(entry.value),
+                    fmt::format("'{}' takes {}, not {}", kind.name, counted(kind.marks, "mark"),
+                                named.size()),
+                    fmt::format("it means that {}", kind.meaning));
+        return;
+    }
+    for (const YAML::Node& one : named) {
+        if (const auto mark = yaml_.index_of(one, marks_, "mark")) {
+            made.marks.push_back(*mark);
+            label += fmt::format("{}{}", label == kind.name ? " " : ", ", marks_[*mark]);
+        }
+    }
+}
+
+void ConstraintReader::details(const std::vector<YamlEntry>& entries, const ConstraintKindInfo& kind,
+             Constraint& made) const {
+    bool has_position = false;
+    bool has_value = false;
+    for (const YamlEntry& one : entries) {
+        const auto only_of = [&](bool fits) {
+            if (!fits) {
+                yaml_.error(
+                    one.written, fmt::format("'{}' has no {}", kind.name, one.name),
+                    fmt::format("remove it; '{}' means that {}", kind.name, kind.meaning));
+            }
+            return fits;
+        };
+        if (one.name == "position" && only_of(kind.kind == ConstraintKind::at)) {
+            made.position = position(one.value).value_or(V2d(0.0));
+            has_position = true;
+        } else if (one.name == "value" && only_of(kind.value != ValueUse::none)) {
+            made.value = yaml_.plain_number(one.value, "write a number").value_or(0.0);
+            has_value = true;
+        } else if (one.name == "distance" && only_of(kind.marks == 0)) {
+            made.distance = yaml_.positive(one);
+        }
+    }
+    read_measure(entries, yaml_, made);
+    if (kind.kind == ConstraintKind::at && !has_position) {
+        yaml_.error(made.written, "'at' has no position", "add position: [x, y] in pixels");
+    }
+    if (kind.value == ValueUse::must && !has_value) {
+        yaml_.error(
+            made.written, fmt::format("'{}' has no value", kind.name),
+            fmt::format("add value: NUMBER; '{}' means that {}", kind.name, kind.meaning));
+    } else if (kind.kind == ConstraintKind::magnification && !(made.value > 0.0)) {
+        yaml_.error(made.written, "a magnification must be above 0", "write value: 500");
+    }
+}
+
+}  // namespace balcony::app
