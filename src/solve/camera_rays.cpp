@@ -54,9 +54,11 @@ CameraRays::CameraRays(const CameraMaker& make, const V2d& size, const Problem& 
             inputs_.push_back(unknown.input);
         }
     }
-    std::copy_if(problem.constraints.begin(), problem.constraints.end(),
-                 std::back_inserter(shapes_),
-                 [](const Constraint& constraint) { return constraint.marks.empty(); });
+    for (const Constraint& constraint : problem.constraints) {
+        if (constraint.marks.empty()) {
+            shapes_.push_back(&constraint);
+        }
+    }
 }
 
 Result<CameraRays> CameraRays::make(const CameraMaker& make, const V2d& size,

@@ -40,7 +40,7 @@ private:
     std::stop_token stop_;
     V2d size_;
     std::vector<std::string> inputs_;
-    std::vector<Constraint> shapes_;
+    std::vector<const Constraint*> shapes_;
     std::size_t closed_ = 0;  ///< How many unknowns have no input.
     /// By the numbers that a camera is made of; null if none can be made.
     mutable std::map<std::vector<double>, std::shared_ptr<const InputRays>> cameras_;

@@ -63,7 +63,7 @@ void run_at(const program::Program& program, std::span<const V2d> points,
 
 Result<InputRays> InputRays::make(const camera::Camera& camera, double width, double height,
                                   const std::vector<std::string>& inputs,
-                                  const std::vector<Constraint>& shapes,
+                                  const std::vector<const Constraint*>& shapes,
                                   const std::stop_token& stop) {
     if (camera.parts().bend) {
         return rays::bent_rays_error(camera.name(), camera.parts().bend_span);
@@ -83,15 +83,15 @@ Result<InputRays> InputRays::make(const camera::Camera& camera, double width, do
             append_derivatives(roots, of, graph.input(name));
         }
         made.by_input_ = rays::take(program::Program::make(roots, interface), found);
-        for (const Constraint& shape : shapes) {
-            const std::vector<Expr> misses = shape_misses(shape, ray);
+        for (const Constraint* shape : shapes) {
+            const std::vector<Expr> misses = shape_misses(*shape, ray);
             std::vector<Expr> shape_roots{ray.valid};
             shape_roots.insert(shape_roots.end(), misses.begin(), misses.end());
             for (const std::string& name : inputs) {
                 append_derivatives(shape_roots, misses, graph.input(name));
             }
             if (auto program = rays::take(program::Program::make(shape_roots, interface), found)) {
-                made.shapes_.push_back({std::move(*program), shape.position, misses.size()});
+                made.shapes_.push_back({std::move(*program), shape->position, misses.size()});
             }
         }
         if (has_errors(found)) {

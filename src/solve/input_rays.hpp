@@ -42,7 +42,7 @@ public:
     [[nodiscard]] static Result<InputRays> make(const camera::Camera& camera, double width,
                                                 double height,
                                                 const std::vector<std::string>& inputs,
-                                                const std::vector<Constraint>& shapes,
+                                                const std::vector<const Constraint*>& shapes,
                                                 const std::stop_token& stop);
 
     /// The rays at some points for these values of the inputs.
