@@ -177,8 +177,7 @@ TEST(MeanLayers, AreFilteredLikeThePicture) {
     EXPECT_GT(read(film, LayerId::mean_albedo, 15, 9)[0], 0.0F);
 }
 
-// A pane shows the red wall behind it, a mirror the green wall behind the viewer. The reflection in
-// the pane takes the least part of a sample.
+// A pane shows the red wall behind it, a mirror the green wall behind the viewer.
 TEST(MeanLayers, AreThoseOfWhatMirrorsAndGlassShow) {
     scene::Scene scene;
     const auto wall = [&](V3f corner, V3f right, V3f up, const scene::Material& material) {
@@ -213,6 +212,58 @@ TEST(MeanLayers, AreThoseOfWhatMirrorsAndGlassShow) {
     // The data of the pixel's centre are those of the surface itself.
     EXPECT_EQ(read(film, LayerId::albedo, 1, 4)[1], 1.0F);
     EXPECT_EQ(read(film, LayerId::position, 6, 4)[2], 0.0F);
+}
+
+// Whichever way a path goes, a pane shows the same: the red wall behind it, and a little of the
+// green one behind the viewer.
+TEST(MeanLayers, OfGlassHaveNoNoise) {
+    scene::Scene scene;
+    const V3f x(2.0F, 0.0F, 0.0F);
+    const V3f y(0.0F, 2.0F, 0.0F);
+    const auto wall = [&](V3f corner, V3f right, Color3f color) {
+        scene::Material material = white();
+        material.base_color = color;
+        add(scene, parallelogram(corner, right, y), material);
+    };
+    scene::Material pane = white();
+    pane.roughness = 0.0F;
+    pane.transmission = 1.0F;
+    pane.thin_walled = true;
+    add(scene, parallelogram({-1.0F, -1.0F, 0.0F}, x, y), pane);
+    wall({-1.0F, -1.0F, -1.0F}, x, {1.0F, 0.0F, 0.0F});
+    wall({1.0F, -1.0F, 9.0F}, -x, {0.0F, 1.0F, 0.0F});
+    const Film film = render(scene, orthographic(view_down_z(0.0, 0.0, 1.0)),
+                             with_layers(request(8, 8, "path", 4), all_layers()))
+                          .film;
+    for (std::size_t pixel = 0; pixel < 8; ++pixel) {
+        const float passed = read(film, LayerId::mean_albedo, pixel, 4)[0];
+        const float mirrored = read(film, LayerId::mean_albedo, pixel, 4)[1];
+        EXPECT_NEAR(passed + mirrored, 1.0F, 1e-5F);
+        EXPECT_GT(mirrored, 0.03F);
+        EXPECT_LT(mirrored, 0.1F);
+        EXPECT_NEAR(mirrored, read(film, LayerId::mean_albedo, 0, 0)[1], 1e-6F);
+        EXPECT_NEAR(read(film, LayerId::mean_normal, pixel, 4)[2], passed - mirrored, 1e-5F);
+        EXPECT_NEAR(read(film, LayerId::mean_position, pixel, 4)[2], 9.0F * mirrored - passed,
+                    1e-4F);
+    }
+}
+
+// No path ends by chance at a grey mirror before it finds what the mirror shows.
+TEST(MeanLayers, OfMirrorsHaveNoNoise) {
+    scene::Scene scene;
+    scene::Material mirror = white();
+    mirror.base_color = Color3f(0.3F);
+    mirror.roughness = 0.0F;
+    mirror.metallic = 1.0F;
+    const V3f y(0.0F, 2.0F, 0.0F);
+    add(scene, parallelogram({-1.0F, -1.0F, 0.0F}, {2.0F, 0.0F, 0.0F}, y), mirror);
+    add(scene, parallelogram({1.0F, -1.0F, 9.0F}, {-2.0F, 0.0F, 0.0F}, y), white());
+    const Film film = render(scene, orthographic(view_down_z(0.0, 0.0, 1.0)),
+                             with_layers(request(8, 8, "path", 4), all_layers()))
+                          .film;
+    for (std::size_t pixel = 0; pixel < 8; ++pixel) {
+        EXPECT_NEAR(read(film, LayerId::mean_normal, pixel, 4)[2], -1.0F, 1e-6F);
+    }
 }
 
 TEST(MeanLayers, MomentsAreThoseOfTheSamples) {

@@ -17,6 +17,7 @@
 #include "render/integrators/path_block.hpp"
 #include "render/integrators/path_light.hpp"
 #include "render/integrators/path_state.hpp"
+#include "render/integrators/shown_surface.hpp"
 #include "shading/materials/footprint.hpp"
 
 namespace balcony::render {
@@ -35,6 +36,9 @@ float softening(std::uint32_t pass) {
     constexpr float first = 0.5F;
     return first * std::pow(static_cast<float>(pass + 1), -1.0F / 12.0F);
 }
+
+// So many mirrors end no path by chance, such that each sample finds the surface that they show.
+constexpr std::uint8_t mirrors_without_roulette = 8;
 
 // Whether a surface shows others, in focus, instead of itself.
 bool is_clear(const BsdfMaterial& material) {
@@ -162,7 +166,7 @@ LaneBits PathTracer::chosen_of_cut(LaneBits lanes) {
 PathTracer::Encounter PathTracer::meet(std::size_t lane) {
     Path& path = block_.path(lane);
     if (!path.hit.any()) {
-        if (path.is_clear && path.bounces.all > 0) {
+        if (path.shows && path.bounces.all > 0) {
             light_.seen(path).shown = {};
         }
         add_distant_light(path);
@@ -184,7 +188,7 @@ PathTracer::Encounter PathTracer::meet(std::size_t lane) {
         light_.seen(path).radiance.a = 1.0F;
         light_.seen(path).coverage.add(tracer_.visible(at), 1.0F);
         light_.seen(path).end = at.surface.position;
-    } else if (path.is_clear) {
+    } else if (path.shows) {
         light_.seen(path).shown = tracer_.visible(at);
     }
     absorb(path, at.surface.position);
@@ -203,6 +207,11 @@ PathTracer::Encounter PathTracer::meet(std::size_t lane) {
     const V3f to_viewer = -path.ray.direction;
     path.is_softened |= block_.bsdfs().add(lane, at, to_viewer, path.least_roughness);
     path.is_clear = path.is_clear && is_clear(block_.bsdfs().material(lane));
+    path.shows = path.shows && path.is_clear;
+    if (path.shows && block_.bsdfs().material(lane).transmits()) {
+        light_.seen(path).shown = shown_by_glass(tracer_, path.ray, at);
+        path.shows = false;
+    }
     block_.point(lane) = {at.surface.position,
                           tracer_.lights().are_at_eye() && !seen_directly
                               ? (path.eye - at.surface.position).normalized()
@@ -373,6 +382,7 @@ Path PathTracer::guided(std::size_t lane, const Color3f& throughput) {
     made.may_be_guided = false;
     made.is_guided = true;
     made.is_clear = false;
+    made.shows = false;
     made.sampler.branch();
     return made;
 }
@@ -408,7 +418,8 @@ bool PathTracer::scatter(std::size_t lane) {
     if (!passes_pane || path.bounces.all == 0 || path.crossings >= max_crossings) {
         count_bounce(path, sample->lobe, settings_->bounces);
     }
-    if (!survives(path, block_.numbers(lane), by_chance)) {
+    const bool in_mirrors = path.shows && path.bounces.all <= mirrors_without_roulette;
+    if (!in_mirrors && !survives(path, block_.numbers(lane), by_chance)) {
         return false;
     }
     if (passes_pane) {

@@ -50,6 +50,7 @@ struct Path {
     float least_roughness = 0.0F;
     bool is_softened = false;    ///< Such a surface was rougher than it is.
     bool is_clear = true;        ///< Only mirrors and clear glass have scattered its light.
+    bool shows = true;           ///< So far, where most of the light of each comes from.
     std::uint8_t scattered = 0;  ///< How often it was scattered from the first other surface on.
     Color3f absorption{0.0F};    ///< Of what the ray passes, per scene unit.
     float absorbed = 0.0F;       ///< The length from there up to which light has been absorbed.
