@@ -63,6 +63,7 @@ TEST(LayerTable, FindsListsOfNames) {
         EXPECT_TRUE(!found && has_errors(found.diagnostics)) << wrong;
     }
     EXPECT_NE(to_text(find_layers("directt").diagnostics).find("'direct'?"), std::string::npos);
+    EXPECT_NE(to_text(find_layers("noisy").diagnostics).find("denoised"), std::string::npos);
 }
 
 // docs/layers.md lists every layer with what the table says.

@@ -282,11 +282,17 @@ static_assert([] {
 }());
 
 Diagnostic unknown_layer(std::string_view name) {
+    if (name == infos[static_cast<std::size_t>(noisy)].name) {
+        return error(Kind::usage, fmt::format("the layer '{}' cannot be chosen", name),
+                     "a denoised picture has it without being asked");
+    }
     std::vector<std::string> names{"default", "all", "none"};
     std::string list = "default, all, none";
     for (const LayerInfo& info : infos) {
-        names.emplace_back(info.name);
-        list += fmt::format(", {}", info.name);
+        if (info.id != noisy) {
+            names.emplace_back(info.name);
+            list += fmt::format(", {}", info.name);
+        }
     }
     return error(Kind::usage, fmt::format("unknown layer '{}'", name),
                  did_you_mean(name, names, fmt::format("the layers are {}", list)));
