@@ -94,6 +94,12 @@ Plane relative_to(const Halves& light, const Plane& part, const Canvas& canvas) 
     return made;
 }
 
+// Of the part of a difference on which both halves agree, what is hardly there by chance.
+float beyond_chance(float part) {
+    constexpr float by_chance = 0.4F;
+    return std::clamp((part - by_chance) / (1.0F - by_chance), 0.0F, 1.0F);
+}
+
 using Candidates = std::array<Halves, std::tuple_size_v<Stack>>;
 
 // What a candidate has more than the next smoother one is a detail. The part of it which makes the
@@ -134,7 +140,6 @@ Halves blended(const Candidates& candidates, const Plane& part, const Plane& wei
     constexpr std::size_t smoothest = std::tuple_size_v<Candidates> - 1;
     const Canvas& canvas = filter.canvas();
     constexpr float far_beyond = 8.0F;
-    constexpr float by_chance = 0.4F;  // Noise that both halves have in common.
     Stack agreements;
     Stack squares;
     agreements[smoothest].resize(canvas.size());
@@ -157,8 +162,7 @@ Halves blended(const Candidates& candidates, const Plane& part, const Plane& wei
             const float usual = agreements[k][i] / (squares[k][i] + 1e-20F);
             const float noise_square = (1.0F - usual) * squares[k][i];
             const float distinct = 1.0F - far_beyond * noise_square / (own_squares[k][i] + 1e-20F);
-            const float sure = (std::max(usual, distinct) - by_chance) / (1.0F - by_chance);
-            factors[k] = std::clamp(sure, 0.0F, 1.0F);
+            factors[k] = beyond_chance(std::max(usual, distinct));
         }
         for (std::size_t plane = 0; plane < made.size(); ++plane) {
             float low = made[plane][i];
@@ -187,9 +191,10 @@ void multiply_by(const Surfaces& surfaces, float (*factor)(float albedo), Halves
 }
 
 // Adds to the light what it lacks, or has too much, over areas of about this radius, as far as both
-// halves of the samples agree on it in the whole picture.
+// halves of the samples agree on it nearby.
 void restore_means(const Halves& samples, std::size_t radius, const Plane& part,
                    const Plane& weight, const Canvas& canvas, Halves& light) {
+    constexpr std::size_t nearby = 16;
     Stack lacking;
     for (std::size_t plane = 0; plane < lacking.size(); ++plane) {
         lacking[plane].resize(canvas.size());
@@ -198,21 +203,25 @@ void restore_means(const Halves& samples, std::size_t radius, const Plane& part,
         });
         lacking[plane] = box_mean(box_mean(lacking[plane], radius, canvas), radius, canvas);
     }
-    double agreed = 0.0;
-    double all = 0.0;
-    for (std::size_t c = 0; c < colors; ++c) {
-        for (std::size_t i = 0; i < canvas.size(); ++i) {
+    Plane agreed(canvas.size());
+    Plane all(canvas.size());
+    for_each_pixel(canvas, [&](std::size_t i) {
+        for (std::size_t c = 0; c < colors; ++c) {
             const float a = lacking[first + c][i];
             const float b = lacking[second + c][i];
             const float both = mean(a, b, part[i]);
-            agreed += double{weight[i]} * a * b;
-            all += double{weight[i]} * both * both;
+            agreed[i] += weight[i] * a * b;
+            all[i] += weight[i] * both * both;
         }
-    }
-    const auto sure = static_cast<float>(all > 0.0 ? std::clamp(agreed / all, 0.0, 1.0) : 0.0);
-    for (std::size_t plane = 0; plane < light.size(); ++plane) {
-        for_each_pixel(canvas, [&](std::size_t i) { light[plane][i] += sure * lacking[plane][i]; });
-    }
+    });
+    agreed = box_mean(box_mean(agreed, nearby, canvas), nearby, canvas);
+    all = box_mean(box_mean(all, nearby, canvas), nearby, canvas);
+    for_each_pixel(canvas, [&](std::size_t i) {
+        const float sure = beyond_chance(agreed[i] / (all[i] + 1e-20F));
+        for (std::size_t plane = 0; plane < light.size(); ++plane) {
+            light[plane][i] += sure * lacking[plane][i];
+        }
+    });
 }
 
 // The mean of both halves of the filtered light, with the means of the samples over large areas,
