@@ -57,14 +57,13 @@ void read_measure(const std::vector<YamlEntry>& entries, YamlEntries& yaml, Cons
     }
     if (const YamlEntry* const written = weight != nullptr ? weight : deviation) {
         yaml.is_in_deviation_range(yaml.at(written->value), "deviation", made.deviation,
-                                    "write another number; a weight divides the deviation by "
-                                    "its square root");
+                                   "write another number; a weight divides the deviation by "
+                                   "its square root");
     }
     if (const YamlEntry* const tolerance = entry("tolerance")) {
         made.tolerance = yaml.positive(*tolerance);
         if (made.tolerance) {
-            yaml.is_in_deviation_range(yaml.at(tolerance->value), "tolerance",
-                                        *made.tolerance);
+            yaml.is_in_deviation_range(yaml.at(tolerance->value), "tolerance", *made.tolerance);
         }
     }
 }
@@ -74,18 +73,17 @@ std::optional<std::pair<Constraint, std::string>> ConstraintReader::read(
     std::vector<std::string> known = names_of_kinds();
     known.insert(known.end(),
                  {"position", "value", "distance", "deviation", "weight", "tolerance"});
-    const std::vector<YamlEntry> entries =
-        yaml_.map(row, "the constraint", remedy, known);
+    const std::vector<YamlEntry> entries = yaml_.map(row, "the constraint", remedy, known);
     const YamlEntry* kind_entry = nullptr;
     for (const YamlEntry& one : entries) {
         if (kind_named(one.name) == nullptr) {
             continue;
         }
         if (kind_entry != nullptr) {
-            yaml_.error(one.written,
-                        fmt::format("a constraint is not both '{}' and '{}'", kind_entry->name,
-                                    one.name),
-                        "write two rows");
+            yaml_.error(
+                one.written,
+                fmt::format("a constraint is not both '{}' and '{}'", kind_entry->name, one.name),
+                "write two rows");
             return std::nullopt;
         }
         kind_entry = &one;
@@ -116,8 +114,8 @@ std::optional<V2d> ConstraintReader::position(const YAML::Node& node) const {
 }
 
 // The marks of a constraint, or its position.
-void ConstraintReader::subject(const YamlEntry& entry, const ConstraintKindInfo& kind, Constraint& made,
-             std::string& label) const {
+void ConstraintReader::subject(const YamlEntry& entry, const ConstraintKindInfo& kind,
+                               Constraint& made, std::string& label) const {
     if (kind.marks == 0) {
         made.position = position(entry.value).value_or(V2d(0.0));
         label += fmt::format(" ({:g}, {:g})", made.position.x, made.position.y);
@@ -139,16 +137,15 @@ void ConstraintReader::subject(const YamlEntry& entry, const ConstraintKindInfo&
     }
 }
 
-void ConstraintReader::details(const std::vector<YamlEntry>& entries, const ConstraintKindInfo& kind,
-             Constraint& made) const {
+void ConstraintReader::details(const std::vector<YamlEntry>& entries,
+                               const ConstraintKindInfo& kind, Constraint& made) const {
     bool has_position = false;
     bool has_value = false;
     for (const YamlEntry& one : entries) {
         const auto only_of = [&](bool fits) {
             if (!fits) {
-                yaml_.error(
-                    one.written, fmt::format("'{}' has no {}", kind.name, one.name),
-                    fmt::format("remove it; '{}' means that {}", kind.name, kind.meaning));
+                yaml_.error(one.written, fmt::format("'{}' has no {}", kind.name, one.name),
+                            fmt::format("remove it; '{}' means that {}", kind.name, kind.meaning));
             }
             return fits;
         };
@@ -167,9 +164,8 @@ void ConstraintReader::details(const std::vector<YamlEntry>& entries, const Cons
         yaml_.error(made.written, "'at' has no position", "add position: [x, y] in pixels");
     }
     if (kind.value == ValueUse::must && !has_value) {
-        yaml_.error(
-            made.written, fmt::format("'{}' has no value", kind.name),
-            fmt::format("add value: NUMBER; '{}' means that {}", kind.name, kind.meaning));
+        yaml_.error(made.written, fmt::format("'{}' has no value", kind.name),
+                    fmt::format("add value: NUMBER; '{}' means that {}", kind.name, kind.meaning));
     } else if (kind.kind == ConstraintKind::magnification && !(made.value > 0.0)) {
         yaml_.error(made.written, "a magnification must be above 0", "write value: 500");
     }

@@ -18,9 +18,8 @@ constexpr std::size_t most_warnings = 5;
 constexpr std::size_t few_rows = 200;
 
 bool all_seen(const SolveReport& report, const solve::Constraint& row) {
-    return std::all_of(row.marks.begin(), row.marks.end(), [&](std::size_t mark) {
-        return report.solution.seen[mark].has_value();
-    });
+    return std::all_of(row.marks.begin(), row.marks.end(),
+                       [&](std::size_t mark) { return report.solution.seen[mark].has_value(); });
 }
 
 // The rows that are missed by far, the worst first.
@@ -28,7 +27,8 @@ std::vector<std::size_t> far_missed(const SolveReport& report) {
     std::vector<std::size_t> rows;
     for (const std::size_t i : worst_constraints(report)) {
         const solve::Constraint& row = report.problem.constraints[i];
-        if (report.solution.misses[i].deviations > most_deviations && !row.tolerance && all_seen(report, row)) {
+        if (report.solution.misses[i].deviations > most_deviations && !row.tolerance &&
+            all_seen(report, row)) {
             rows.push_back(i);
         }
     }
@@ -61,7 +61,8 @@ std::vector<std::size_t> rows_against_most(const SolveReport& report,
     }
     std::vector<std::size_t> rows;
     for (std::size_t i = 0; other && i < other->misses.size(); ++i) {
-        if (other->misses[i].deviations > most_deviations && !report.problem.constraints[i].tolerance) {
+        if (other->misses[i].deviations > most_deviations &&
+            !report.problem.constraints[i].tolerance) {
             rows.push_back(i);
         }
     }
