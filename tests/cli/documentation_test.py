@@ -61,7 +61,7 @@ class Documentation(support.CommandTest):
             re.search(r"^```cam\n(camera left .*?)^```", domes, re.MULTILINE | re.DOTALL)[1])
 
     def run_all(self, lines):
-        for words in lines:
+        for words in dict.fromkeys(map(tuple, lines)):
             with self.subTest(line=" ".join(words)):
                 # The last option of a kind counts, so these make the page's picture small.
                 size = ("-W", "24") if "-W" in words else ("--size", "24x16")
