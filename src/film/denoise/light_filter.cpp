@@ -94,12 +94,6 @@ Plane relative_to(const Halves& light, const Plane& part, const Canvas& canvas) 
     return made;
 }
 
-// Of the part of a difference on which both halves agree, what is hardly there by chance.
-float beyond_chance(float part) {
-    constexpr float by_chance = 0.4F;
-    return std::clamp((part - by_chance) / (1.0F - by_chance), 0.0F, 1.0F);
-}
-
 using Candidates = std::array<Halves, std::tuple_size_v<Stack>>;
 
 // What a candidate has more than the next smoother one is a detail. The part of it which makes the
@@ -140,6 +134,7 @@ Halves blended(const Candidates& candidates, const Plane& part, const Plane& wei
     constexpr std::size_t smoothest = std::tuple_size_v<Candidates> - 1;
     const Canvas& canvas = filter.canvas();
     constexpr float far_beyond = 8.0F;
+    constexpr float by_chance = 0.4F;  // Noise that both halves have in common.
     Stack agreements;
     Stack squares;
     agreements[smoothest].resize(canvas.size());
@@ -162,7 +157,8 @@ Halves blended(const Candidates& candidates, const Plane& part, const Plane& wei
             const float usual = agreements[k][i] / (squares[k][i] + 1e-20F);
             const float noise_square = (1.0F - usual) * squares[k][i];
             const float distinct = 1.0F - far_beyond * noise_square / (own_squares[k][i] + 1e-20F);
-            factors[k] = beyond_chance(std::max(usual, distinct));
+            const float sure = (std::max(usual, distinct) - by_chance) / (1.0F - by_chance);
+            factors[k] = std::clamp(sure, 0.0F, 1.0F);
         }
         for (std::size_t plane = 0; plane < made.size(); ++plane) {
             float low = made[plane][i];
@@ -217,7 +213,7 @@ void restore_means(const Halves& samples, std::size_t radius, const Plane& part,
     agreed = box_mean(box_mean(agreed, nearby, canvas), nearby, canvas);
     all = box_mean(box_mean(all, nearby, canvas), nearby, canvas);
     for_each_pixel(canvas, [&](std::size_t i) {
-        const float sure = beyond_chance(agreed[i] / (all[i] + 1e-20F));
+        const float sure = std::clamp(agreed[i] / (all[i] + 1e-20F), 0.0F, 1.0F);
         for (std::size_t plane = 0; plane < light.size(); ++plane) {
             light[plane][i] += sure * lacking[plane][i];
         }
