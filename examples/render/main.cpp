@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // A picture of a scene through a built-in camera, where it shows a point, a turn around the scene
-// in three frames, and parameters that move while nothing is compiled.
+// in three frames, parameters that move while nothing is compiled, and a camera that is edited.
 
+#include <cstdint>
 #include <cstdio>
+#include <future>
 #include <memory>
 #include <span>
 #include <string>
@@ -13,6 +15,7 @@
 #include "balcony/animation.hpp"
 #include "balcony/app.hpp"
 #include "balcony/inputs.hpp"
+#include "balcony/live.hpp"
 #include "balcony/rays.hpp"
 #include "balcony/render.hpp"
 #include "balcony/studies.hpp"
@@ -79,6 +82,34 @@ int move_picture(const std::string& name) {
     return 0;
 }
 
+// A camera that is edited: each frame is better than the one before.
+int follow_camera(const app::Request& request) {
+    auto prepared = app::PreparedScene::make(request);
+    if (!prepared) {
+        return fail(prepared.diagnostics);
+    }
+    std::promise<void> rests;
+    const live::Observer observer{.frame =
+                                      [](const live::Frame& frame) {
+                                          std::printf("%zu x %zu, %zu samples\n", frame.width,
+                                                      frame.height, frame.samples);
+                                      },
+                                  .rest =
+                                      [&rests](std::uint64_t change) {
+                                          if (change == 2) {
+                                              rests.set_value();
+                                          }
+                                      }};
+    const auto view = live::View::make(std::move(*prepared), request, observer);
+    view->change({.text = "camera seen(turn = 0deg) { map u = 1 .. -1, v = square\n"
+                          "eye point(0, 0, 0) toward surface(u, v) = [1, u, v]\n"
+                          "move rotate(z, turn) }",
+                  .size = {{64, 32}}});
+    view->change({.values = {{{"turn", 0.1}}}});
+    rests.get_future().wait();
+    return 0;
+}
+
 int main(int argc, char** argv) {
     app::Request request;
     request.scene = argc > 1 ? argv[1] : "scene.obj";
@@ -113,5 +144,5 @@ int main(int argc, char** argv) {
         return fail(frames.diagnostics);
     }
     std::printf("%zu frames, %zu of an earlier run\n", frames.rendered.size(), frames.skipped);
-    return move_rays() + move_picture(request.scene);
+    return move_rays() + move_picture(request.scene) + follow_camera(request);
 }

@@ -21,7 +21,7 @@ bool hold_look(Request& request, Loaded& loaded, const camera::Picture& picture,
             pass_starts(request.inside, picture, {layout.width, layout.height}, loaded, stop))) {
         return false;
     }
-    const Result<Look> look = look_at(picture, loaded, layout, stop);
+    const Result<Look> look = look_at(picture, *loaded.renderer, loaded.settings, layout, stop);
     if (!look) {
         add(found, look.diagnostics);
         return false;

@@ -99,6 +99,9 @@ public:
         return picture ? std::optional(picture->with_fit(request_.size.fit)) : std::nullopt;
     }
 
+    // The scene alone.
+    bool scene() { return prepare(std::nullopt); }
+
 private:
     [[nodiscard]] PartDone telling(Step step) const {
         return observer_.step ? PartDone([this, step](double part) { observer_.step(step, part); })
@@ -241,6 +244,11 @@ std::optional<camera::Picture> load_all(const Request& request, Loaded& loaded,
                                         const Observer& observer, const std::stop_token& stop,
                                         Diagnostics& found) {
     return Loading(request, loaded, observer, stop, found).picture();
+}
+
+bool load_scene_of(const Request& request, Loaded& loaded, const Observer& observer,
+                   const std::stop_token& stop, Diagnostics& found) {
+    return Loading(request, loaded, observer, stop, found).scene();
 }
 
 render::FilmLayout film_layout(const Request& request, const camera::Picture& picture,

@@ -50,6 +50,11 @@ struct Loaded {
                                                       const std::stop_token& stop,
                                                       Diagnostics& found);
 
+/// The scene alone, prepared for the time that the shutter is open. False if that fails or is
+/// stopped, as the diagnostics say.
+[[nodiscard]] bool load_scene_of(const Request& request, Loaded& loaded, const Observer& observer,
+                                 const std::stop_token& stop, Diagnostics& found);
+
 /// Prepares the scene, which was moved, for the rays of a picture at another time. False if it
 /// fails, as the diagnostics say.
 [[nodiscard]] bool move_along(const camera::Picture& picture, Loaded& loaded,

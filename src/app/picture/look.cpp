@@ -25,9 +25,9 @@ render::FilmLayout small_layout(const render::FilmLayout& layout) {
 
 }  // namespace
 
-Result<Look> look_at(const camera::Picture& picture, const Loaded& loaded,
-                     const render::FilmLayout& layout, const std::stop_token& stop) {
-    render::Settings settings = loaded.settings;
+Result<Look> look_at(const camera::Picture& picture, const render::Renderer& renderer,
+                     render::Settings settings, const render::FilmLayout& layout,
+                     const std::stop_token& stop) {
     settings.samples = look_samples;
     settings.sampling.seed = 0;
     settings.sampling.noise = 0.0;
@@ -35,8 +35,7 @@ Result<Look> look_at(const camera::Picture& picture, const Loaded& loaded,
     if (!film) {
         return std::move(film.diagnostics);
     }
-    Result<render::Summary> summary =
-        render::render(*loaded.renderer, picture, settings, *film, {}, stop);
+    Result<render::Summary> summary = render::render(renderer, picture, settings, *film, {}, stop);
     if (!summary) {
         return std::move(summary.diagnostics);
     }

@@ -4,8 +4,8 @@
 
 #include <stop_token>
 
-#include "app/inputs/loaded.hpp"
 #include "balcony/picture.hpp"
+#include "balcony/render.hpp"
 
 namespace balcony::app {
 
@@ -16,8 +16,10 @@ struct Look {
     render::Summary summary{};
 };
 
-/// With the renderer and settings that are loaded. An interrupted look has a summary that says so.
-[[nodiscard]] Result<Look> look_at(const camera::Picture& picture, const Loaded& loaded,
-                                   const render::FilmLayout& layout, const std::stop_token& stop);
+/// Of the settings, the samples and the seed do not count. An interrupted look has a summary that
+/// says so.
+[[nodiscard]] Result<Look> look_at(const camera::Picture& picture, const render::Renderer& renderer,
+                                   render::Settings settings, const render::FilmLayout& layout,
+                                   const std::stop_token& stop);
 
 }  // namespace balcony::app

@@ -40,7 +40,7 @@ Result<double> choose_exposure(const Request& request, const camera::Picture& pi
     if (request.exposure || !is_used) {
         return request.exposure.value_or(0.0);
     }
-    Result<Look> look = look_at(picture, loaded, layout, stop);
+    Result<Look> look = look_at(picture, *loaded.renderer, loaded.settings, layout, stop);
     if (!look) {
         return std::move(look.diagnostics);
     }

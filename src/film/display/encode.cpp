@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "balcony/display_file.hpp"
+#include "balcony/display_pixels.hpp"
 #include "balcony/film.hpp"
 #include "base/parallel_for.hpp"
 #include "film/display/displayed_pixel.hpp"
@@ -78,6 +79,11 @@ std::vector<Sample> to_samples(const Film& film, const DisplayOptions& options, 
 }
 
 }  // namespace
+
+std::vector<std::uint8_t> display_pixels(const Film& film, const DisplayOptions& options) {
+    return check_sizes(film).empty() ? to_samples<std::uint8_t>(film, options, false)
+                                     : std::vector<std::uint8_t>();
+}
 
 Result<std::vector<std::uint8_t>> encode(const Film& film, const DisplayFormat& format,
                                          const DisplayOptions& options) {

@@ -1,0 +1,116 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Live: a picture that follows its camera while it is changed.
+//
+//     View::change() ─▶ thread of the view ─▶ Observer::frame: coarse, preview, paths, denoised
+//
+// The newest state wins: what a change makes useless is cancelled, but for the coarse picture, so
+// that a camera in motion is always seen.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "balcony/base.hpp"
+#include "balcony/lang.hpp"
+#include "balcony/names.hpp"
+#include "balcony/prepared_scene.hpp"
+#include "balcony/request.hpp"
+
+namespace balcony::live {
+
+/// Another value for a parameter, in place of what the text says.
+struct Value {
+    std::string parameter;
+    double value = 0.0;  ///< In radians if it is an angle.
+
+    bool operator==(const Value&) const = default;
+};
+
+/// What changes in the picture. Members without a value stay as they are.
+struct Change {
+    std::optional<std::string> text{};                 ///< Of the camera file.
+    std::optional<std::string> camera{};               ///< In the text; its last one if empty.
+    std::optional<std::vector<Value>> values{};        ///< All of them.
+    std::optional<std::array<std::size_t, 2>> size{};  ///< Width and height in pixels.
+    bool choose_exposure = false;  ///< By this picture, for this and later ones.
+};
+
+/// How a picture is made, from the first answer to the last.
+enum class Quality : std::uint8_t {
+    coarse,    ///< A preview of fewer pixels.
+    preview,   ///< One ray a pixel.
+    paths,     ///< Path tracing, with more and more samples.
+    denoised,  ///< The same at rest, without its noise.
+};
+[[nodiscard]] Names<Quality> qualities();
+
+struct Frame {
+    std::uint64_t change = 0;  ///< The number of the newest change that it shows.
+    Quality quality = Quality::coarse;
+    std::size_t width = 0;  ///< In pixels; of a coarse frame, less than those of the picture.
+    std::size_t height = 0;
+    std::vector<std::uint8_t> pixels{};  ///< As render::display_pixels().
+    std::size_t samples = 1;             ///< Of a pixel.
+    double seconds = 0.0;                ///< Since the change.
+};
+
+/// What became of the camera of a change.
+struct CameraState {
+    std::uint64_t change = 0;
+    /// Errors, after which the frames go on to show the last good camera, or warnings.
+    Diagnostics diagnostics{};
+    std::string name{};                       ///< Of the camera; empty after errors.
+    std::vector<lang::OpenParameter> open{};  ///< They move without the camera being made anew.
+    std::vector<lang::OpenParameter> closed{};
+};
+
+/// What a view tells, from its own thread, one call at a time. Functions may be empty; they must
+/// not throw. They may call View::change(), but not destroy the view.
+struct Observer {
+    std::function<void(const Frame&)> frame{};
+    std::function<void(const CameraState&)> camera{};  ///< After each change, before its frames.
+    /// Nothing is left to do for the newest change, whose number it is.
+    std::function<void(std::uint64_t)> rest{};
+};
+
+struct Options {
+    /// The time that a coarse frame should take. Its pixels follow from the speed of the last ones.
+    double coarse_seconds = 0.035;
+    bool traces_paths = true;  ///< Otherwise the preview is the last quality.
+    bool denoises = true;
+};
+
+/// A picture of a scene that follows its camera. Its functions may be called from any thread and
+/// do not wait for a picture.
+class View {
+public:
+    /// The request says all but what changes: scene, light, samples, placement, exposure. Its
+    /// camera and size are not read.
+    [[nodiscard]] static std::unique_ptr<View> make(app::PreparedScene scene,
+                                                    const app::Request& request, Observer observer,
+                                                    const Options& options = {},
+                                                    std::filesystem::path folder = {});
+    /// Ends what is in progress.
+    ~View();
+    View(const View&) = delete;
+    View& operator=(const View&) = delete;
+
+    /// Shows something else. Returns the number of the change, from 1. Numbers rise.
+    std::uint64_t change(Change change);
+
+private:
+    struct State;
+    explicit View(std::unique_ptr<State> state);
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace balcony::live

@@ -1,0 +1,58 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Prepared scene: what many pictures of a scene have in common, for programs that change a camera
+// and look at the picture.
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <stop_token>
+#include <string_view>
+#include <vector>
+
+#include "balcony/app.hpp"
+#include "balcony/lang.hpp"
+#include "balcony/render.hpp"
+#include "balcony/request.hpp"
+
+namespace balcony::app {
+
+/// A scene that is loaded and lit as a request says, and cameras that are placed in it. Belongs to
+/// one thread at a time; what it makes may be used anywhere.
+class PreparedScene {
+public:
+    /// Loads the scene and its environment. The camera of the request is not read. A stop is an
+    /// error of Kind::interrupted.
+    [[nodiscard]] static Result<PreparedScene> make(const Request& request,
+                                                    const Observer& observer = {},
+                                                    const std::stop_token& stop = {});
+    PreparedScene(PreparedScene&&) noexcept;
+    PreparedScene& operator=(PreparedScene&&) noexcept;
+    ~PreparedScene();
+
+    /// A picture of a camera file with all parameters open that can be, placed in the scene as the
+    /// request says. The scene is made ready for the times of its rays.
+    [[nodiscard]] Result<lang::OpenPicture> picture(const lang::CameraSource& source,
+                                                    std::string_view name,
+                                                    const std::vector<lang::Override>& values,
+                                                    const std::stop_token& stop = {});
+
+    /// The exposure that suits a picture in this integrator's light: that of the request, if it
+    /// names one.
+    [[nodiscard]] Result<double> exposure(const camera::Picture& picture,
+                                          std::string_view integrator,
+                                          const std::stop_token& stop = {}) const;
+
+    [[nodiscard]] const render::Renderer& renderer() const;
+    /// Those of the request, with its environment.
+    [[nodiscard]] const render::Settings& settings() const;
+
+private:
+    struct State;
+    explicit PreparedScene(std::unique_ptr<State> state);
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace balcony::app

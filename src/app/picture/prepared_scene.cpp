@@ -1,0 +1,91 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "balcony/prepared_scene.hpp"
+
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "app/inputs/loaded.hpp"
+#include "app/inputs/placement.hpp"
+#include "app/picture/look.hpp"
+#include "app/words.hpp"
+
+namespace balcony::app {
+
+struct PreparedScene::State {
+    Request request;
+    Loaded loaded;
+};
+
+PreparedScene::PreparedScene(std::unique_ptr<State> state) : state_(std::move(state)) {}
+PreparedScene::PreparedScene(PreparedScene&&) noexcept = default;
+PreparedScene& PreparedScene::operator=(PreparedScene&&) noexcept = default;
+PreparedScene::~PreparedScene() = default;
+
+Result<PreparedScene> PreparedScene::make(const Request& request, const Observer& observer,
+                                          const std::stop_token& stop) {
+    auto state = std::make_unique<State>();
+    state->request = request;
+    Diagnostics found;
+    bool done = false;
+    within_memory(found, [&] {
+        done = load_settings(request, state->loaded, stop, found) &&
+               load_scene_of(request, state->loaded, observer, stop, found);
+    });
+    if (!done) {
+        return found;
+    }
+    return {PreparedScene(std::move(state)), std::move(found)};
+}
+
+Result<lang::OpenPicture> PreparedScene::picture(const lang::CameraSource& source,
+                                                 std::string_view name,
+                                                 const std::vector<lang::Override>& values,
+                                                 const std::stop_token& stop) {
+    Loaded& loaded = state_->loaded;
+    const Request& request = state_->request;
+    loaded.cameras.stop_with(stop);
+    loaded.cameras.fit_to({});
+    const auto make = [&] { return loaded.cameras.make_open_picture(source, name, values); };
+    Result<lang::OpenPicture> made = make();
+    if (made && request.placement.places(source.path().string())) {
+        const auto cameras = [&] {
+            const Result<lang::OpenPicture> one = make();
+            return one ? cameras_of(Result<camera::Picture>(one->picture))
+                       : std::vector<camera::Camera>();
+        };
+        Diagnostics found = fit_cameras(loaded.cameras, request.placement, *loaded.scene,
+                                        *loaded.renderer, cameras, stop);
+        if (has_errors(found)) {
+            return found;
+        }
+        made = make();
+        add(made.diagnostics, found);
+    }
+    if (made && !move_along(made->picture, loaded, stop, made.diagnostics)) {
+        return std::move(made.diagnostics);
+    }
+    if (made) {
+        made->picture = made->picture.with_fit(request.size.fit);
+    }
+    return made;
+}
+
+Result<double> PreparedScene::exposure(const camera::Picture& picture, std::string_view integrator,
+                                       const std::stop_token& stop) const {
+    if (state_->request.exposure) {
+        return *state_->request.exposure;
+    }
+    render::Settings settings = state_->loaded.settings;
+    settings.integrator = integrator;
+    const Result<Look> look = look_at(picture, *state_->loaded.renderer, std::move(settings),
+                                      film_layout(state_->request, picture, true), stop);
+    return look ? Result<double>(look->exposure) : Result<double>(look.diagnostics);
+}
+
+const render::Renderer& PreparedScene::renderer() const { return *state_->loaded.renderer; }
+const render::Settings& PreparedScene::settings() const { return state_->loaded.settings; }
+
+}  // namespace balcony::app

@@ -1,0 +1,117 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "live/live_picture.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "balcony/denoise.hpp"
+
+namespace balcony::live {
+
+bool MovingJob::make(const render::Renderer& renderer, const camera::Picture& picture,
+                     const render::Settings& settings, const render::FilmLayout& layout,
+                     const std::stop_token& stop, Diagnostics& found) {
+    Result<render::Film> film = render::make_film(layout);
+    if (!film) {
+        found = std::move(film.diagnostics);
+        return false;
+    }
+    Result<render::Job> made = render::Job::make(
+        renderer, picture, settings, std::make_shared<render::Film>(std::move(*film)), stop);
+    found.insert(found.end(), made.diagnostics.begin(), made.diagnostics.end());
+    job_ = std::move(made.value);
+    return job_.has_value();
+}
+
+Diagnostics MovingJob::move(std::span<const camera::KnownInput> inputs) {
+    return job_ ? job_->set_inputs(inputs) : Diagnostics();
+}
+
+bool MovingJob::run(std::size_t samples, const std::stop_token& stop, Diagnostics& found) {
+    const std::vector<std::uint32_t> passes(film().passes.size(),
+                                            static_cast<std::uint32_t>(samples));
+    const Result<render::Summary> summary = job_->run(passes, {}, stop);
+    found.insert(found.end(), summary.diagnostics.begin(), summary.diagnostics.end());
+    return summary && !summary->interrupted;
+}
+
+namespace {
+
+const lang::OpenParameter* find(const std::vector<lang::OpenParameter>& all,
+                                std::string_view name) {
+    const auto at = std::find_if(all.begin(), all.end(),
+                                 [&](const lang::OpenParameter& one) { return one.name == name; });
+    return at == all.end() ? nullptr : &*at;
+}
+
+}  // namespace
+
+void LivePicture::move(const std::vector<Value>& values, Diagnostics& found) {
+    inputs_.clear();
+    for (const lang::OpenParameter& one : opened_.open) {
+        const auto wanted = std::find_if(values.begin(), values.end(), [&](const Value& value) {
+            return value.parameter == one.name;
+        });
+        inputs_.push_back(
+            {lang::parameter_input(one.name), wanted == values.end() ? one.value : wanted->value});
+    }
+    for (MovingJob* const job : {&coarse_, &preview_, &paths_}) {
+        const Diagnostics wrong = job->move(inputs_);
+        found.insert(found.end(), wrong.begin(), wrong.end());
+    }
+}
+
+std::vector<lang::Override> LivePicture::closed_among(const std::vector<Value>& values) const {
+    std::vector<lang::Override> closed;
+    for (const Value& value : values) {
+        if (find(opened_.open, value.parameter) == nullptr) {
+            const lang::OpenParameter* const number = find(opened_.numbers, value.parameter);
+            closed.push_back({value.parameter,
+                              lang::literal(value.value, number != nullptr && number->is_angle)});
+        }
+    }
+    return closed;
+}
+
+render::Settings LivePicture::with_inputs(render::Settings settings) const {
+    settings.inputs = inputs_;
+    return settings;
+}
+
+const render::Film* LivePicture::preview(const app::PreparedScene& scene, std::size_t part,
+                                         const std::stop_token& stop, Diagnostics& found) {
+    const std::size_t width = std::max<std::size_t>(size_[0] / part, 1);
+    const std::size_t height = std::max<std::size_t>(size_[1] / part, 1);
+    MovingJob& job = part > 1 ? coarse_ : preview_;
+    if (!job.has(width, height)) {
+        render::Settings settings = with_inputs(scene.settings());
+        settings.integrator = "preview";
+        settings.samples = 1;
+        settings.sampling.noise = 0.0;
+        if (!job.make(scene.renderer(), opened_.picture, settings,
+                      {.width = width, .height = height, .data_layers = false}, stop, found)) {
+            return nullptr;
+        }
+    }
+    return job.run(1, stop, found) ? &job.film() : nullptr;
+}
+
+const render::Film* LivePicture::paths(const app::PreparedScene& scene, std::size_t samples,
+                                       bool will_denoise, const std::stop_token& stop,
+                                       Diagnostics& found) {
+    if (!paths_.has(size_[0], size_[1])) {
+        render::FilmLayout layout{.width = size_[0], .height = size_[1], .data_layers = false};
+        if (will_denoise) {
+            layout.layers = render::denoise_layers();
+        }
+        if (!paths_.make(scene.renderer(), opened_.picture, with_inputs(scene.settings()), layout,
+                         stop, found)) {
+            return nullptr;
+        }
+    }
+    return paths_.run(samples, stop, found) ? &paths_.film() : nullptr;
+}
+
+}  // namespace balcony::live

@@ -1,0 +1,73 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// The pictures of one camera in their qualities.
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <span>
+#include <stop_token>
+#include <string>
+
+#include "balcony/live.hpp"
+#include "balcony/prepared_scene.hpp"
+#include "balcony/render.hpp"
+
+namespace balcony::live {
+
+/// A job that is made when it is first needed, and moved from then on.
+class MovingJob {
+public:
+    /// False if it fails, as the diagnostics say, or is stopped.
+    [[nodiscard]] bool make(const render::Renderer& renderer, const camera::Picture& picture,
+                            const render::Settings& settings, const render::FilmLayout& layout,
+                            const std::stop_token& stop, Diagnostics& found);
+    [[nodiscard]] bool has(std::size_t width, std::size_t height) const {
+        return job_ && film().width == width && film().height == height;
+    }
+    [[nodiscard]] Diagnostics move(std::span<const camera::KnownInput> inputs);
+    /// True if each pixel has these samples; false after a stop, too.
+    [[nodiscard]] bool run(std::size_t samples, const std::stop_token& stop, Diagnostics& found);
+    [[nodiscard]] const render::Film& film() const { return *job_->film(); }
+
+private:
+    std::optional<render::Job> job_;
+};
+
+/// A camera whose parameters move, in one size.
+class LivePicture {
+public:
+    LivePicture(lang::OpenPicture opened, std::array<std::size_t, 2> size)
+        : opened_(std::move(opened)), size_(size) {}
+
+    [[nodiscard]] const lang::OpenPicture& opened() const { return opened_; }
+    [[nodiscard]] const std::array<std::size_t, 2>& size() const { return size_; }
+
+    /// Gives the open parameters among these their values, and the others those of the text.
+    void move(const std::vector<Value>& values, Diagnostics& found);
+    /// The values of parameters that are not open, for another camera.
+    [[nodiscard]] std::vector<lang::Override> closed_among(const std::vector<Value>& values) const;
+
+    /// A preview of one ray a pixel, in a size that is divided by this. Null if it fails, as the
+    /// diagnostics say, or is stopped.
+    [[nodiscard]] const render::Film* preview(const app::PreparedScene& scene, std::size_t part,
+                                              const std::stop_token& stop, Diagnostics& found);
+    /// Path tracing, so far that each pixel has these samples.
+    [[nodiscard]] const render::Film* paths(const app::PreparedScene& scene, std::size_t samples,
+                                            bool will_denoise, const std::stop_token& stop,
+                                            Diagnostics& found);
+
+private:
+    [[nodiscard]] render::Settings with_inputs(render::Settings settings) const;
+
+    lang::OpenPicture opened_;
+    std::array<std::size_t, 2> size_;
+    std::vector<camera::KnownInput> inputs_;
+    MovingJob coarse_;
+    MovingJob preview_;
+    MovingJob paths_;
+};
+
+}  // namespace balcony::live

@@ -1,0 +1,315 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <condition_variable>
+#include <mutex>
+#include <stop_token>
+#include <thread>
+#include <utility>
+
+#include "balcony/denoise.hpp"
+#include "balcony/display_pixels.hpp"
+#include "balcony/live.hpp"
+#include "live/live_picture.hpp"
+
+namespace balcony::live {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point begin) {
+    return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+constexpr std::array quality_rows{
+    Named{Quality::coarse, "coarse", "a preview of fewer pixels"},
+    Named{Quality::preview, "preview", "one ray a pixel"},
+    Named{Quality::paths, "paths", "path tracing, with more and more samples"},
+    Named{Quality::denoised, "denoised", "path tracing without its noise"},
+};
+
+bool is_same(const std::vector<lang::Override>& a, const std::vector<lang::Override>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](const lang::Override& one, const lang::Override& other) {
+                          return one.name == other.name && one.expression == other.expression;
+                      });
+}
+
+// All changes so far.
+struct Wanted {
+    std::uint64_t change = 0;  // The number of the last one.
+    Clock::time_point since{};
+    std::string text;
+    std::string camera;
+    std::vector<Value> values;
+    std::array<std::size_t, 2> size{960, 540};
+    bool chooses_exposure = false;
+
+    void add(Change&& more) {
+        ++change;
+        since = Clock::now();
+        replace(text, std::move(more.text));
+        replace(camera, std::move(more.camera));
+        replace(values, std::move(more.values));
+        replace(size, std::move(more.size));
+        size = {std::max<std::size_t>(size[0], 1), std::max<std::size_t>(size[1], 1)};
+        chooses_exposure |= more.choose_exposure;
+    }
+
+private:
+    template <class Member>
+    static void replace(Member& member, std::optional<Member>&& by) {
+        if (by) {
+            member = std::move(*by);
+        }
+    }
+};
+
+}  // namespace
+
+Names<Quality> qualities() { return Names<Quality>(quality_rows); }
+
+struct View::State {
+    State(app::PreparedScene prepared, const app::Request& of, Observer observing,
+          const Options& chosen, std::filesystem::path where)
+        : scene(std::move(prepared)),
+          request(of),
+          observer(std::move(observing)),
+          options(chosen),
+          folder(std::move(where)),
+          thread([this](const std::stop_token& stop) { work(stop); }) {}
+
+    // Of the thread.
+    void work(const std::stop_token& stop);
+    void show(const Wanted& next, const std::stop_token& newer, const std::stop_token& view_ends);
+    [[nodiscard]] bool follow(const Wanted& next, const std::stop_token& newer);
+    [[nodiscard]] bool make(const Wanted& next, const std::vector<lang::Override>& closed,
+                            const std::stop_token& newer, Diagnostics& found);
+    [[nodiscard]] std::size_t coarse_part(const std::array<std::size_t, 2>& size) const;
+    void show_coarse(const Wanted& next, const std::stop_token& view_ends);
+    void show_paths(const Wanted& next, const std::stop_token& newer);
+    void tell(const Wanted& next, const render::Film& film, Quality quality, std::size_t samples,
+              const std::stop_token& newer);
+    void tell_camera(const Wanted& next, Diagnostics found);
+    [[nodiscard]] std::optional<double> exposure(std::string_view integrator,
+                                                 const std::stop_token& newer);
+
+    app::PreparedScene scene;
+    app::Request request;
+    Observer observer;
+    Options options;
+    std::filesystem::path folder;
+
+    std::mutex mutex;
+    std::condition_variable_any changed;
+    Wanted wanted;         // Guarded by the mutex,
+    std::stop_source old;  // as is this: of the work for the last change that the thread has seen.
+
+    // Of the thread.
+    Wanted shown;
+    std::optional<LivePicture> picture;  // The last good one,
+    std::string picture_text;            // and what it was made of.
+    std::string picture_name;
+    std::vector<lang::Override> picture_closed;
+    std::optional<double> preview_exposure;
+    std::optional<double> path_exposure;
+    double seconds_a_pixel = 1e-7;  // Of a preview.
+
+    std::jthread thread;  // The last member, since it uses the others.
+};
+
+View::View(std::unique_ptr<State> state) : state_(std::move(state)) {}
+
+std::unique_ptr<View> View::make(app::PreparedScene scene, const app::Request& request,
+                                 Observer observer, const Options& options,
+                                 std::filesystem::path folder) {
+    return std::unique_ptr<View>(new View(std::make_unique<State>(
+        std::move(scene), request, std::move(observer), options, std::move(folder))));
+}
+
+View::~View() {
+    state_->thread.request_stop();
+    const std::lock_guard lock(state_->mutex);
+    state_->old.request_stop();
+}
+
+std::uint64_t View::change(Change change) {
+    std::uint64_t number = 0;
+    {
+        const std::lock_guard lock(state_->mutex);
+        state_->wanted.add(std::move(change));
+        number = state_->wanted.change;
+        state_->old.request_stop();
+    }
+    state_->changed.notify_one();
+    return number;
+}
+
+void View::State::work(const std::stop_token& stop) {
+    for (;;) {
+        Wanted next;
+        std::stop_token newer;
+        {
+            std::unique_lock lock(mutex);
+            changed.wait(lock, stop, [this] { return wanted.change != shown.change; });
+            if (stop.stop_requested()) {
+                return;
+            }
+            next = wanted;
+            wanted.chooses_exposure = false;
+            old = std::stop_source();
+            newer = old.get_token();
+        }
+        show(next, newer, stop);
+        shown = std::move(next);
+        if (!newer.stop_requested() && observer.rest) {
+            observer.rest(shown.change);
+        }
+    }
+}
+
+void View::State::show(const Wanted& next, const std::stop_token& newer,
+                       const std::stop_token& view_ends) {
+    if (next.chooses_exposure) {
+        preview_exposure.reset();
+        path_exposure.reset();
+    }
+    if (!follow(next, newer)) {
+        return;
+    }
+    if (coarse_part(next.size) > 1) {
+        show_coarse(next, view_ends);
+    }
+    Diagnostics found;
+    const auto begin = Clock::now();
+    if (const render::Film* const film = picture->preview(scene, 1, newer, found)) {
+        seconds_a_pixel = seconds_since(begin) / static_cast<double>(next.size[0] * next.size[1]);
+        tell(next, *film, Quality::preview, 1, newer);
+    }
+    if (options.traces_paths) {
+        show_paths(next, newer);
+    }
+}
+
+// Moves the camera, or makes it anew. False if there is none, or if a newer change has come.
+bool View::State::follow(const Wanted& next, const std::stop_token& newer) {
+    Diagnostics found;
+    if (!picture || next.text != picture_text || next.camera != picture_name) {
+        if (!make(next, {}, newer, found)) {
+            return false;
+        }
+    }
+    if (const std::vector<lang::Override> closed = picture->closed_among(next.values);
+        !is_same(closed, picture_closed) && !make(next, closed, newer, found)) {
+        return false;
+    }
+    if (picture->size() != next.size) {
+        picture.emplace(picture->opened(), next.size);
+    }
+    picture->move(next.values, found);
+    tell_camera(next, std::move(found));
+    return true;
+}
+
+// Values of parameters that are not open shape the camera. Tells why there is none.
+bool View::State::make(const Wanted& next, const std::vector<lang::Override>& closed,
+                       const std::stop_token& newer, Diagnostics& found) {
+    Result<lang::OpenPicture> made =
+        scene.picture({std::make_shared<const SourceText>("camera.cam", next.text), folder},
+                      next.camera, closed, newer);
+    found = std::move(made.diagnostics);
+    if (made) {
+        picture.emplace(std::move(*made.value), next.size);
+        picture_text = next.text;
+        picture_name = next.camera;
+        picture_closed = closed;
+    } else if (kind_of_errors(found) != Kind::interrupted) {
+        tell_camera(next, std::move(found));
+    }
+    return made.value.has_value();
+}
+
+void View::State::tell_camera(const Wanted& next, Diagnostics found) {
+    if (!observer.camera) {
+        return;
+    }
+    CameraState state{next.change, std::move(found)};
+    if (!has_errors(state.diagnostics)) {
+        state.name = picture->opened().picture.parts().name;
+        state.open = picture->opened().open;
+        state.closed = picture->opened().numbers;
+    }
+    observer.camera(state);
+}
+
+// By how much the sides of a picture are divided for a frame in time; 1 if it is fast enough.
+std::size_t View::State::coarse_part(const std::array<std::size_t, 2>& size) const {
+    constexpr double coarsest = 16.0;
+    const double seconds = seconds_a_pixel * static_cast<double>(size[0] * size[1]);
+    return static_cast<std::size_t>(
+        std::ceil(std::clamp(std::sqrt(seconds / options.coarse_seconds), 1.0, coarsest)));
+}
+
+// Not even a newer change stops it: of a camera in motion, nothing would be seen.
+void View::State::show_coarse(const Wanted& next, const std::stop_token& view_ends) {
+    Diagnostics found;
+    const auto begin = Clock::now();
+    const render::Film* const film =
+        picture->preview(scene, coarse_part(next.size), view_ends, found);
+    if (film != nullptr) {
+        seconds_a_pixel = seconds_since(begin) / static_cast<double>(film->window.size());
+        tell(next, *film, Quality::coarse, 1, view_ends);
+    }
+}
+
+// Twice as many samples from frame to frame.
+void View::State::show_paths(const Wanted& next, const std::stop_token& newer) {
+    Diagnostics found;
+    const std::size_t most = scene.settings().samples;
+    const render::Film* film = nullptr;
+    for (std::size_t samples = 1; samples < 2 * most; samples *= 2) {
+        film = picture->paths(scene, std::min(samples, most), options.denoises, newer, found);
+        if (film == nullptr) {
+            return;
+        }
+        tell(next, *film, Quality::paths, std::min(samples, most), newer);
+    }
+    if (!options.denoises || film == nullptr || newer.stop_requested()) {
+        return;
+    }
+    render::Film copy = *film;
+    if (render::denoise(copy)) {
+        tell(next, copy, Quality::denoised, most, newer);
+    }
+}
+
+void View::State::tell(const Wanted& next, const render::Film& film, Quality quality,
+                       std::size_t samples, const std::stop_token& newer) {
+    const bool is_preview = quality == Quality::coarse || quality == Quality::preview;
+    const std::optional<double> exposed =
+        exposure(is_preview ? "preview" : scene.settings().integrator, newer);
+    if (!exposed || newer.stop_requested() || !observer.frame) {
+        return;
+    }
+    const auto pixels = render::display_pixels(
+        film, {.exposure = *exposed, .view = request.view_transform(), .dither = request.dither});
+    observer.frame({next.change, quality, film.width, film.height, pixels, samples,
+                    seconds_since(next.since)});
+}
+
+// Chosen by the first picture, and held: a picture in motion does not flicker.
+std::optional<double> View::State::exposure(std::string_view integrator,
+                                            const std::stop_token& newer) {
+    std::optional<double>& held = integrator == "preview" ? preview_exposure : path_exposure;
+    if (!held) {
+        const Result<double> chosen = scene.exposure(picture->opened().picture, integrator, newer);
+        held = chosen ? std::optional(*chosen) : std::nullopt;
+    }
+    return held;
+}
+
+}  // namespace balcony::live

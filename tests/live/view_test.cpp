@@ -1,0 +1,219 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// A view shows the newest camera, first coarsely, then better and better.
+
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "balcony/display_pixels.hpp"
+#include "balcony/live.hpp"
+#include "balcony/prepared_scene.hpp"
+
+namespace balcony::live::test::view_test {
+namespace {
+
+using namespace std::chrono_literals;
+
+const std::string fisheye = R"(camera seen(turn = 0deg, width = 120deg) {
+    aspect 4/3
+    map    u = width/2 .. -width/2, v = square
+    eye    point(0, 0, 0)
+    toward surface(u, v) = [cos(u)*cos(v), sin(u)*cos(v), sin(v)]
+    move   rotate(z, turn)
+}
+)";
+
+// What a view has told, for the thread of a test.
+class Told {
+public:
+    [[nodiscard]] Observer observer() {
+        return {.frame = [this](const Frame& frame) { add(frames_, frame); },
+                .camera = [this](const CameraState& state) { add(cameras_, state); },
+                .rest =
+                    [this](std::uint64_t change) {
+                        const std::lock_guard lock(mutex_);
+                        rest_ = change;
+                        changed_.notify_all();
+                    }};
+    }
+
+    // False if the view does not come to rest.
+    [[nodiscard]] bool rests_at(std::uint64_t change) {
+        std::unique_lock lock(mutex_);
+        return changed_.wait_for(lock, 60s, [&] { return rest_ >= change; });
+    }
+    // The frames so far, of a change.
+    [[nodiscard]] std::vector<Frame> frames_of(std::uint64_t change) {
+        const std::lock_guard lock(mutex_);
+        std::vector<Frame> found;
+        for (const Frame& frame : frames_) {
+            if (frame.change == change) {
+                found.push_back(frame);
+            }
+        }
+        return found;
+    }
+    // The mistakes of the last camera.
+    [[nodiscard]] std::string mistakes() {
+        const std::lock_guard lock(mutex_);
+        return cameras_.empty() ? "" : to_text(cameras_.back().diagnostics);
+    }
+    [[nodiscard]] std::vector<CameraState> cameras() {
+        const std::lock_guard lock(mutex_);
+        return cameras_;
+    }
+
+private:
+    template <class One>
+    void add(std::vector<One>& all, const One& one) {
+        const std::lock_guard lock(mutex_);
+        all.push_back(one);
+        changed_.notify_all();
+    }
+
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    std::vector<Frame> frames_;
+    std::vector<CameraState> cameras_;
+    std::uint64_t rest_ = 0;
+};
+
+class ViewTest : public testing::Test {
+protected:
+    void SetUp() override {
+        std::filesystem::create_directories(folder_);
+        std::ofstream(folder_ / "corner.mtl") << "newmtl red\nKd 0.8 0.1 0.1\n"
+                                                 "newmtl blue\nKd 0.1 0.1 0.8\n";
+        std::ofstream(folder_ / "corner.obj")
+            << "mtllib corner.mtl\nusemtl red\nv 2 -2 -2\nv 2 2 -2\nv 2 2 2\nv 2 -2 2\nf 1 2 3 4\n"
+               "usemtl blue\nv -2 -2 -2\nv -2 2 -2\nv -2 2 2\nv -2 -2 2\nf 5 6 7 8\n";
+        request_.scene = (folder_ / "corner.obj").string();
+        request_.samples = 4;
+    }
+
+    [[nodiscard]] std::unique_ptr<View> open(const Options& options = {}) {
+        Result<app::PreparedScene> scene = app::PreparedScene::make(request_);
+        EXPECT_TRUE(scene) << to_text(scene.diagnostics);
+        return View::make(std::move(*scene), request_, told_.observer(), options, folder_);
+    }
+
+    std::filesystem::path folder_ = std::filesystem::path(testing::TempDir()) / "balcony_view_test";
+    app::Request request_;
+    Told told_;
+};
+
+TEST_F(ViewTest, ImprovesAFrameUntilItRests) {
+    const std::unique_ptr<View> view = open({.coarse_seconds = 1e-9});
+    const std::uint64_t change = view->change({.text = fisheye, .size = {{64, 48}}});
+    EXPECT_EQ(change, 1U);
+    ASSERT_TRUE(told_.rests_at(change));
+    const std::vector<Frame> frames = told_.frames_of(change);
+    ASSERT_EQ(frames.size(), 6U);
+    EXPECT_EQ(frames[0].quality, Quality::coarse);
+    EXPECT_LT(frames[0].width, 64U);
+    EXPECT_EQ(frames[1].quality, Quality::preview);
+    for (const std::size_t i : {2U, 3U, 4U}) {
+        EXPECT_EQ(frames[i].quality, Quality::paths);
+        EXPECT_EQ(frames[i].samples, std::size_t{1} << (i - 2));
+    }
+    EXPECT_EQ(frames[5].quality, Quality::denoised);
+    for (const Frame& frame : frames) {
+        EXPECT_EQ(frame.pixels.size(), 3 * frame.width * frame.height);
+    }
+    EXPECT_EQ(frames[5].width, 64U);
+}
+
+// The last frame is what the session renders of the same camera.
+TEST_F(ViewTest, EndsWithThePictureOfARender) {
+    request_.exposure = 0.0;
+    const std::unique_ptr<View> view = open({.denoises = false});
+    const std::uint64_t change = view->change({.text = fisheye, .size = {{32, 24}}});
+    ASSERT_TRUE(told_.rests_at(change));
+    const std::vector<std::uint8_t> live = told_.frames_of(change).back().pixels;
+    std::ofstream(folder_ / "seen.cam") << fisheye;
+    app::Request same = request_;
+    same.camera = (folder_ / "seen.cam").string();
+    same.size = {.width = 32, .height = 24};
+    app::Session session;
+    const app::Report report = session.render(same);
+    ASSERT_FALSE(has_errors(report.diagnostics)) << to_text(report.diagnostics);
+    EXPECT_EQ(live, render::display_pixels(*session.film()));
+}
+
+// A value that moves gives the frames of a text that has it.
+TEST_F(ViewTest, MovesOpenParametersWithoutMakingTheCameraAnew) {
+    const std::unique_ptr<View> view = open({.traces_paths = false});
+    static_cast<void>(view->change({.text = fisheye, .size = {{64, 48}}}));
+    const std::uint64_t moved = view->change({.values = {{{"turn", 1.5707963267948966}}}});
+    ASSERT_TRUE(told_.rests_at(moved));
+    ASSERT_FALSE(told_.frames_of(moved).empty()) << told_.mistakes();
+    const std::vector<std::uint8_t> pixels = told_.frames_of(moved).back().pixels;
+    std::string text = fisheye;
+    text.replace(text.find("0deg"), 4, "90deg");
+    const std::uint64_t written =
+        view->change({.text = text, .values = std::vector<Value>(), .size = {{64, 48}}});
+    ASSERT_TRUE(told_.rests_at(written));
+    EXPECT_EQ(told_.frames_of(written).back().pixels, pixels);
+    const std::uint64_t back = view->change({.text = fisheye});
+    ASSERT_TRUE(told_.rests_at(back));
+    EXPECT_NE(told_.frames_of(back).back().pixels, pixels);
+}
+
+TEST_F(ViewTest, TellsMistakesAndKeepsTheLastGoodCamera) {
+    const std::unique_ptr<View> view = open({.traces_paths = false});
+    ASSERT_TRUE(told_.rests_at(view->change({.text = fisheye, .size = {{64, 48}}})));
+    const std::uint64_t wrong = view->change({.text = "camera seen { eye pont(0, 0, 0) }"});
+    ASSERT_TRUE(told_.rests_at(wrong));
+    EXPECT_TRUE(told_.frames_of(wrong).empty());
+    const CameraState state = told_.cameras().back();
+    EXPECT_EQ(state.change, wrong);
+    EXPECT_TRUE(has_errors(state.diagnostics));
+    EXPECT_TRUE(state.name.empty());
+    const std::uint64_t right = view->change({.text = fisheye});
+    ASSERT_TRUE(told_.rests_at(right));
+    EXPECT_FALSE(told_.frames_of(right).empty());
+    EXPECT_EQ(told_.cameras().back().name, "seen");
+    EXPECT_EQ(told_.cameras().back().open.size(), 2U);
+}
+
+// Of many changes in a row, the last one is shown in full, and no other one after it.
+TEST_F(ViewTest, ShowsTheNewestChange) {
+    const std::unique_ptr<View> view = open();
+    std::uint64_t last = view->change({.text = fisheye, .size = {{160, 120}}});
+    for (int i = 1; i <= 200; ++i) {
+        last = view->change({.values = {{{"turn", 0.01 * i}}}});
+    }
+    ASSERT_TRUE(told_.rests_at(last));
+    EXPECT_EQ(last, 201U);
+    const std::vector<Frame> frames = told_.frames_of(last);
+    ASSERT_FALSE(frames.empty());
+    EXPECT_EQ(frames.back().quality, Quality::denoised);
+    std::uint64_t before = 0;
+    for (const CameraState& state : told_.cameras()) {
+        EXPECT_GT(state.change, before);
+        before = state.change;
+    }
+}
+
+TEST_F(ViewTest, EndsInTheMiddleOfAPicture) {
+    request_.samples = 100'000;
+    std::unique_ptr<View> view = open();
+    static_cast<void>(view->change({.text = fisheye, .size = {{320, 240}}}));
+    const auto begin = std::chrono::steady_clock::now();
+    view.reset();
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, 20s);
+}
+
+}  // namespace
+}  // namespace balcony::live::test::view_test
