@@ -7,17 +7,25 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <filesystem>
 #include <limits>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/core.h>
 
 #include "balcony/lang.hpp"
+#include "balcony/live.hpp"
+#include "balcony/median.hpp"
+#include "balcony/output_file.hpp"
 #include "balcony/render.hpp"
 #include "bench_case.hpp"
 #include "scenes/catalogue.hpp"
@@ -156,6 +164,55 @@ void print_live_of(std::string_view scene_name) {
     }
 }
 
+/// The seconds from changes of a parameter to their first frames.
+std::vector<double> first_frames(const app::Request& request, const LiveRow& row) {
+    std::mutex mutex;
+    std::condition_variable told;
+    std::uint64_t seen = 0;
+    std::vector<double> seconds;
+    const auto frame = [&](const live::Frame& shown) {
+        const std::lock_guard lock(mutex);
+        if (shown.change > seen) {
+            seen = shown.change;
+            seconds.push_back(shown.seconds);
+            told.notify_all();
+        }
+    };
+    const auto view =
+        live::View::make(unwrapped(app::PreparedScene::make(request)), request, {.frame = frame});
+    const auto text = unwrapped(lang::read_text(source_of(row.camera).path()));
+    const auto show = [&](live::Change change) {
+        const std::uint64_t number = view->change(std::move(change));
+        std::unique_lock lock(mutex);
+        told.wait(lock, [&] { return seen >= number; });
+    };
+    // The first frames find the exposure and the size of the next ones.
+    show({.text = std::string(text->text()), .size = {{width, height}}});
+    show({.values = {{{std::string(row.parameter), 0.25}}}});
+    seconds.clear();
+    for (int run = 1; run <= 21; ++run) {
+        show({.values = {{{std::string(row.parameter), 0.25 + 1e-3 * run}}}});
+    }
+    return seconds;
+}
+
+void print_views() {
+    fmt::print(
+        "\nthe same in a live::View in the gallery: median of the milliseconds to a coarse frame "
+        "in sRGB,\nright after that of the change before\n\n");
+    const auto file = std::filesystem::temp_directory_path() / "balcony_bench_gallery.glb";
+    const scene::Scene gallery = unwrapped(plates::make_scene("gallery", {.texture_scale = 0.5}));
+    if (const Diagnostics found = write_whole(file, scene::to_glb(gallery)); !found.empty()) {
+        throw std::runtime_error(to_text(found));
+    }
+    const app::Request request{.scene = file.string()};
+    for (const LiveRow& row : {live_rows[0], live_rows[1]}) {
+        fmt::print("{:<22}{:<14}{:>10.2f}\n", row.camera, row.parameter,
+                   1e3 * median(first_frames(request, row)).value_or(0.0));
+    }
+    std::filesystem::remove(file);
+}
+
 }  // namespace
 
 void print_live() {
@@ -168,6 +225,7 @@ void print_live() {
     for (const std::string_view scene : {"gallery", "street"}) {
         print_live_of(scene);
     }
+    print_views();
 }
 
 }  // namespace balcony::bench

@@ -84,7 +84,10 @@ struct Observer {
 
 struct Options {
     /// The time that a coarse frame should take. Its pixels follow from the speed of the last ones.
-    double coarse_seconds = 0.035;
+    double coarse_seconds = 0.02;
+    /// Paths are traced when no change has come for this time: what they need takes longer to stop
+    /// than a coarse frame may take.
+    double rest_seconds = 0.1;
     bool traces_paths = true;  ///< Otherwise the preview is the last quality.
     bool denoises = true;
 };

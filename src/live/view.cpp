@@ -91,6 +91,7 @@ struct View::State {
                             const std::stop_token& newer, Diagnostics& found);
     [[nodiscard]] std::size_t coarse_part(const std::array<std::size_t, 2>& size) const;
     void show_coarse(const Wanted& next, const std::stop_token& view_ends);
+    [[nodiscard]] bool is_at_rest(const Wanted& next, const std::stop_token& newer);
     void show_paths(const Wanted& next, const std::stop_token& newer);
     void tell(const Wanted& next, const render::Film& film, Quality quality, std::size_t samples,
               const std::stop_token& newer);
@@ -190,9 +191,19 @@ void View::State::show(const Wanted& next, const std::stop_token& newer,
         seconds_a_pixel = seconds_since(begin) / static_cast<double>(next.size[0] * next.size[1]);
         tell(next, *film, Quality::preview, 1, newer);
     }
-    if (options.traces_paths) {
+    if (options.traces_paths && is_at_rest(next, newer)) {
         show_paths(next, newer);
     }
+}
+
+// Waits; false if a newer change comes.
+bool View::State::is_at_rest(const Wanted& next, const std::stop_token& newer) {
+    const std::chrono::duration<double> rest(options.rest_seconds);
+    std::unique_lock lock(mutex);
+    changed.wait_until(lock, newer,
+                       next.since + std::chrono::duration_cast<Clock::duration>(rest),
+                       [] { return false; });
+    return !newer.stop_requested();
 }
 
 // Moves the camera, or makes it anew. False if there is none, or if a newer change has come.
