@@ -200,8 +200,7 @@ void View::State::show(const Wanted& next, const std::stop_token& newer,
 bool View::State::is_at_rest(const Wanted& next, const std::stop_token& newer) {
     const std::chrono::duration<double> rest(options.rest_seconds);
     std::unique_lock lock(mutex);
-    changed.wait_until(lock, newer,
-                       next.since + std::chrono::duration_cast<Clock::duration>(rest),
+    changed.wait_until(lock, newer, next.since + std::chrono::duration_cast<Clock::duration>(rest),
                        [] { return false; });
     return !newer.stop_requested();
 }
