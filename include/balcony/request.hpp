@@ -108,6 +108,15 @@ struct StereoRequest {
 [[nodiscard]] std::filesystem::path file_of_eye(const std::filesystem::path& file,
                                                 camera::StereoFormat eye);
 
+/// Where a program listens that shows pictures while they are rendered, by the messages of tev.
+struct DisplayAddress {
+    std::string host;  ///< A name or an address.
+    std::uint16_t port = 0;
+
+    [[nodiscard]] std::string text() const;  ///< "localhost:14158"
+    bool operator==(const DisplayAddress&) const = default;
+};
+
 /// How long a render runs, and what it leaves on the disk meanwhile. Intervals are in seconds;
 /// without one, there is no limit, or nothing is saved.
 struct JobRequest {
@@ -117,6 +126,7 @@ struct JobRequest {
     bool resume = false;                  ///< Continue from the checkpoint, if there is one.
     std::optional<double> film_memory{};  ///< In bytes; half of the machine's if empty.
     std::optional<render::Shard> shard{};
+    std::optional<DisplayAddress> display{};  ///< Which shows the picture so far.
 
     [[nodiscard]] double film_bytes() const;
 };

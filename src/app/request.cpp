@@ -93,6 +93,11 @@ Names<InsideRule> inside_rules() {
 }
 
 // The scene and other programs need some memory, too.
+std::string DisplayAddress::text() const {
+    const bool is_ip6 = host.find(':') != std::string::npos;
+    return fmt::format(fmt::runtime(is_ip6 ? "[{}]:{}" : "{}:{}"), host, port);
+}
+
 double JobRequest::film_bytes() const {
     return film_memory.value_or(0.5 * static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
                                 static_cast<double>(sysconf(_SC_PAGESIZE)));

@@ -71,6 +71,7 @@ const std::map<std::string, std::pair<std::string, std::string>>& examples() {
         {"--texture-memory", {"512", "512MiB"}},
         {"--time-limit", {"1.5min", "90s"}},
         {"--save-every", {"10s", ""}},
+        {"--display", {"localhost:14158", ""}},
         {"--checkpoint-every", {"off", ""}},
         {"--film-memory", {"4GiB", ""}},
         {"--resume", {"true", ""}},

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -45,6 +47,28 @@ Value<double> memory() {
     };
     made.write = bytes_word;
     made.remedy = [](std::string_view) { return "write auto, or a size such as 500MB or 4GiB"; };
+    return made;
+}
+
+Value<DisplayAddress> address() {
+    Value<DisplayAddress> made;
+    made.read = [](std::string_view word) -> std::optional<DisplayAddress> {
+        const std::size_t colon = std::min(word.rfind(':'), word.size());
+        const auto port = number_of<std::size_t>(word.substr(std::min(colon + 1, word.size())));
+        std::string_view host = word.substr(0, colon);
+        if (host.starts_with('[') && host.ends_with(']')) {  // IPv6
+            host = host.substr(1, host.size() - 2);
+        }
+        if (!port || *port < 1 || *port > std::numeric_limits<std::uint16_t>::max() ||
+            host.empty()) {
+            return std::nullopt;
+        }
+        return DisplayAddress{std::string(host), static_cast<std::uint16_t>(*port)};
+    };
+    made.write = [](const DisplayAddress& display) { return display.text(); };
+    made.remedy = [](std::string_view) {
+        return "write a host and a port, such as localhost:14158";
+    };
     return made;
 }
 
@@ -105,6 +129,12 @@ Options<JobRequest> job_options() {
                  .effect = Effect::run},
                 optional_interval(), &JobRequest::save_every)},
         {refuse_saved_shard}};
+    made.rows.push_back(option({.name = "--display",
+                                .placeholder = "HOST:PORT",
+                                .meaning = "show the picture so far in tev, which listens there, "
+                                           "such as localhost:14158",
+                                .effect = Effect::run},
+                               maybe(address()), &JobRequest::display));
     made.add(safety_options());
     made.rows.push_back(
         flag({.name = "--resume",

@@ -162,12 +162,12 @@ private:
 void render_in_bands(const Request& request, const Loaded& loaded, const camera::Picture& picture,
                      const render::FilmLayout& layout, const Observer& observer,
                      const std::stop_token& stop, Report& report) {
-    if (request.job.save_every || request.job.time_limit) {
+    if (request.job.save_every || request.job.time_limit || request.job.display) {
         constexpr double giga = 1e9;
         report.diagnostics.push_back(
             error(Kind::usage,
                   fmt::format("the picture takes {:.1f} GB and is rendered in bands, which "
-                              "--save-every and --time-limit cannot do",
+                              "--save-every, --time-limit and --display cannot do",
                               render::film_bytes(layout) / giga),
                   "raise --film-memory, omit layers with --layers, or omit these options"));
         return;

@@ -15,6 +15,7 @@
 #include "app/picture/look.hpp"
 #include "app/picture/paused_run.hpp"
 #include "app/picture/picture_facts.hpp"
+#include "app/picture/remote_display.hpp"
 #include "app/words.hpp"
 #include "balcony/inputs.hpp"
 
@@ -74,6 +75,7 @@ public:
         if (fails(job.diagnostics) || fails(resume())) {
             return;
         }
+        open_display();
         const Result<render::Summary> summary =
             trace(*job, film_, checkpoint_, limits(), observer_.progress, stop);
         if (fails(summary.diagnostics) || is_outdated_) {
@@ -89,6 +91,7 @@ public:
             }
         }
         write_file();
+        show();
     }
 
 private:
@@ -114,6 +117,26 @@ private:
         return {};
     }
 
+    // A picture that cannot be shown is rendered nevertheless.
+    void open_display() {
+        if (request_.job.display) {
+            Result<RemoteDisplay> made = RemoteDisplay::connect(
+                *request_.job.display, request_.output.filename().string(), film_);
+            for (Diagnostic& found : made.diagnostics) {
+                tell(observer_, {warning(found.message, {}, found.remedy)});
+            }
+            if (made) {
+                display_.emplace(std::move(*made));
+            }
+        }
+    }
+
+    void show() {
+        if (display_) {
+            tell(observer_, display_->show(film_));
+        }
+    }
+
     [[nodiscard]] TraceLimits limits() {
         TraceLimits made{.seconds = request_.job.time_limit,
                          .save_checkpoint = [this] { save_checkpoint(); },
@@ -127,6 +150,10 @@ private:
         if (has_file() && request_.job.save_every) {
             made.pauses.push_back({*request_.job.save_every,
                                    [this] { tell(observer_, write(finish_, film_, observer_)); }});
+        }
+        if (display_) {
+            constexpr double seconds_between = 0.5;
+            made.pauses.push_back({seconds_between, [this] { show(); }});
         }
         return made;
     }
@@ -187,6 +214,7 @@ private:
     Finish finish_;
     fs::path file_;
     CheckpointFile checkpoint_;
+    std::optional<RemoteDisplay> display_;
 };
 
 }  // namespace
