@@ -117,9 +117,9 @@ double longitude(const V3d& e) { return std::atan2(e.y, e.x); }
 double latitude(const V3d& e) { return std::atan2(e.z, std::hypot(e.x, e.y)); }
 
 /// Operations of PROJ that have an inverse on a sphere, but not here; docs/maps.md says why.
-const std::set<std::string> without_inverse{"bipc",    "calcofi", "cart",  "geocent",
-                                            "imw_p",   "krovak",  "labrd", "lsat",
-                                            "misrsom", "nzmg",    "rouss", "sch"};
+const std::set<std::string> without_inverse{
+    "airocean", "bipc",    "calcofi",    "cart", "geocent", "imw_p", "isea", "krovak",  "labrd",
+    "lsat",     "misrsom", "mod_krovak", "nzmg", "rouss",   "sch",   "som",  "spilhaus"};
 /// Maps of a part of the sphere, whose forward functions continue in folds.
 const std::set<std::string> partial{"qsc",    "s2",     "alsk", "gs48",  "gs50",
                                     "mil_os", "lee_os", "ccon", "murd2", "pconic"};
