@@ -70,10 +70,14 @@ class DeepGraph : public testing::TestWithParam<Shape> {};
 }  // namespace
 
 TEST_P(DeepGraph, TakesNoStackAndTimeInProportion) {
-    const double quarter = seconds_for_all(GetParam(), GetParam().nodes / 4);
-    const double whole = seconds_for_all(GetParam(), GetParam().nodes);
-    // 4 times the nodes: 4 if linear, 16 if quadratic. Between them caches miss more often.
-    EXPECT_LT(whole, 10.0 * quarter);
+    // 4 times the nodes: 4 if linear, 16 if quadratic. Between them caches miss more often. What
+    // else runs on the machine spoils a measurement now and then, so it may be repeated.
+    double ratio = 10.0;
+    for (int attempt = 0; attempt < 3 && ratio >= 10.0; ++attempt) {
+        const double quarter = seconds_for_all(GetParam(), GetParam().nodes / 4);
+        ratio = seconds_for_all(GetParam(), GetParam().nodes) / quarter;
+    }
+    EXPECT_LT(ratio, 10.0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, DeepGraph, testing::ValuesIn(shapes),
