@@ -18,6 +18,7 @@ PACKAGE = '#!/bin/sh\necho "package $@" >> build/package/done\nexit $PACKAGE\n'
 NEWS = "# Changelog\n\n## Unreleased\n\n- News.\n"
 
 
+@unittest.skipUnless(shutil.which("git"), "git is not installed")
 class Release(unittest.TestCase):
     def setUp(self):
         self.folder = Path(tempfile.mkdtemp(prefix="balcony-release-"))
