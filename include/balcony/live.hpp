@@ -6,8 +6,8 @@
 //
 //     View::change() ─▶ thread of the view ─▶ Observer::frame: coarse, preview, paths, denoised
 //
-// The newest state wins: what a change makes useless is cancelled, but for the coarse picture, so
-// that a camera in motion is always seen.
+// The newest state wins: what a change makes useless is cancelled, but for the first frame, so that
+// a camera in motion is always seen.
 
 #include <array>
 #include <cstddef>

@@ -90,11 +90,11 @@ struct View::State {
     [[nodiscard]] bool make(const Wanted& next, const std::vector<lang::Override>& closed,
                             const std::stop_token& newer, Diagnostics& found);
     [[nodiscard]] std::size_t coarse_part(const std::array<std::size_t, 2>& size) const;
-    void show_coarse(const Wanted& next, const std::stop_token& view_ends);
+    void show_preview(const Wanted& next, std::size_t part, const std::stop_token& stop);
     [[nodiscard]] bool is_at_rest(const Wanted& next, const std::stop_token& newer);
     void show_paths(const Wanted& next, const std::stop_token& newer);
     void tell(const Wanted& next, const render::Film& film, Quality quality, std::size_t samples,
-              const std::stop_token& newer);
+              const std::stop_token& stop);
     void tell_camera(const Wanted& next, Diagnostics found);
     [[nodiscard]] std::optional<double> exposure(std::string_view integrator,
                                                  const std::stop_token& newer);
@@ -182,14 +182,11 @@ void View::State::show(const Wanted& next, const std::stop_token& newer,
     if (!follow(next, newer)) {
         return;
     }
-    if (coarse_part(next.size) > 1) {
-        show_coarse(next, view_ends);
-    }
-    Diagnostics found;
-    const auto begin = Clock::now();
-    if (const render::Film* const film = picture->preview(scene, 1, newer, found)) {
-        seconds_a_pixel = seconds_since(begin) / static_cast<double>(next.size[0] * next.size[1]);
-        tell(next, *film, Quality::preview, 1, newer);
+    // Not even a newer change stops the first frame: of a camera in motion, nothing would be seen.
+    const std::size_t part = coarse_part(next.size);
+    show_preview(next, part, view_ends);
+    if (part > 1) {
+        show_preview(next, 1, newer);
     }
     if (options.traces_paths && is_at_rest(next, newer)) {
         show_paths(next, newer);
@@ -264,15 +261,12 @@ std::size_t View::State::coarse_part(const std::array<std::size_t, 2>& size) con
         std::ceil(std::clamp(std::sqrt(seconds / options.coarse_seconds), 1.0, coarsest)));
 }
 
-// Not even a newer change stops it: of a camera in motion, nothing would be seen.
-void View::State::show_coarse(const Wanted& next, const std::stop_token& view_ends) {
+void View::State::show_preview(const Wanted& next, std::size_t part, const std::stop_token& stop) {
     Diagnostics found;
     const auto begin = Clock::now();
-    const render::Film* const film =
-        picture->preview(scene, coarse_part(next.size), view_ends, found);
-    if (film != nullptr) {
+    if (const render::Film* const film = picture->preview(scene, part, stop, found)) {
         seconds_a_pixel = seconds_since(begin) / static_cast<double>(film->window.size());
-        tell(next, *film, Quality::coarse, 1, view_ends);
+        tell(next, *film, part > 1 ? Quality::coarse : Quality::preview, 1, stop);
     }
 }
 

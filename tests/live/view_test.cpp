@@ -53,6 +53,18 @@ public:
         std::unique_lock lock(mutex_);
         return changed_.wait_for(lock, 60s, [&] { return rest_ >= change; });
     }
+    // False if the camera of a change does not come.
+    [[nodiscard]] bool has_camera_of(std::uint64_t change) {
+        std::unique_lock lock(mutex_);
+        return changed_.wait_for(
+            lock, 60s, [&] { return !cameras_.empty() && cameras_.back().change >= change; });
+    }
+    void forget() {
+        const std::lock_guard lock(mutex_);
+        frames_.clear();
+        cameras_.clear();
+        rest_ = 0;
+    }
     // The frames so far, of a change.
     [[nodiscard]] std::vector<Frame> frames_of(std::uint64_t change) {
         const std::lock_guard lock(mutex_);
@@ -203,6 +215,24 @@ TEST_F(ViewTest, ShowsTheNewestChange) {
     for (const CameraState& state : told_.cameras()) {
         EXPECT_GT(state.change, before);
         before = state.change;
+    }
+}
+
+// Each change comes while the first frame of the one before is made.
+TEST_F(ViewTest, ShowsACameraInMotion) {
+    for (const double coarse_seconds : {1e-9, 1e9}) {
+        const std::unique_ptr<View> view =
+            open({.coarse_seconds = coarse_seconds, .traces_paths = false});
+        std::uint64_t last = view->change({.text = fisheye, .size = {{640, 480}}});
+        for (int i = 1; i <= 8; ++i) {
+            ASSERT_TRUE(told_.has_camera_of(last));
+            last = view->change({.values = {{{"turn", 0.01 * i}}}});
+        }
+        ASSERT_TRUE(told_.rests_at(last));
+        for (std::uint64_t change = 1; change <= last; ++change) {
+            EXPECT_FALSE(told_.frames_of(change).empty()) << change;
+        }
+        told_.forget();
     }
 }
 
