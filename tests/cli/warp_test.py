@@ -142,8 +142,9 @@ class Warp(support.CommandTest):
         self.assertIn("camera 'cylinder' of the photo", err)
 
     def test_interrupted(self):
+        # Rows that are begun are finished, which takes seconds if the photo has no closed inverse.
         for words in (("stmap", "panorama"), ("warp", "photo.png", "--camera", "panorama")):
-            with self.start(*words, "--from", "panorama", "--size", "60000x30000", "-o",
+            with self.start(*words, "--from", "pinhole", "--size", "60000x30000", "-o",
                             "large.exr") as process:
                 time.sleep(1.5)
                 process.send_signal(signal.SIGINT)
