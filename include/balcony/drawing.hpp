@@ -100,6 +100,23 @@ struct Drawing {
     std::optional<Image> background{};
 };
 
+/// Numbers over a picture, at the middles of a grid of cells.
+struct NumberMap {
+    std::string title;      ///< ASCII, with the unit.
+    std::size_t width = 0;  ///< Of the picture in pixels, at least 1, as the others.
+    std::size_t height = 0;
+    std::size_t columns = 0;
+    std::size_t rows = 0;
+    /// Row by row; nothing where there is none, infinite where it is not known.
+    std::vector<std::optional<double>> numbers;
+    std::string missing{"no ray"};  ///< What the legend says of these.
+    std::string unknown{"not determined"};
+};
+
+/// A map in colours with lines of equal numbers, which are round and written beside them, and a
+/// legend below. It has the size of the picture, and at least 800 pixels in a row.
+[[nodiscard]] Image paint(const NumberMap& map);
+
 /// Draws the cameras of a picture, or a single camera. It is an error if none of them has a valid
 /// point, and a warning if some have none. As model() and rasterise(), an error of
 /// Kind::interrupted if it is stopped.

@@ -86,6 +86,8 @@ struct SolveRequest {
     /// A picture of the size of the marks' picture, such as the photo, that a drawing of pixels is
     /// over; white without a name.
     std::filesystem::path over{};
+    /// The map of uncertainty_map(): .png, .jpg, .webp or .tif; none without a name.
+    std::filesystem::path uncertainty{};
 };
 
 struct SolvedParameter {
@@ -112,6 +114,7 @@ struct SolveReport {
     /// As it was solved: of marks in the axes of the camera.
     solve::Problem problem{};
     std::vector<std::string> labels{};  ///< As Marks::labels.
+    solve::ErrorGrid grid{};            ///< Of the solution's errors.
     solve::Solution solution{};
     std::string text{};  ///< The new camera file.
 };
@@ -133,6 +136,10 @@ struct Uncertainty {
 /// Where the marks are demanded and where the picture shows them, with what the constraints miss
 /// several times as large as it is, over a tint that says how uncertain projections are.
 [[nodiscard]] analyse::Drawing draw_marks(const SolveReport& report);
+
+/// The expected uncertainty of projections over the picture, as a map in colours with lines of
+/// equal deviation.
+[[nodiscard]] Image uncertainty_map(const SolveReport& report);
 
 /// Finds the camera, and writes it. Constraints that are missed by far are warnings.
 [[nodiscard]] Result<SolveReport> solve_camera(const SolveRequest& request,

@@ -176,6 +176,10 @@ class Solve(support.CommandTest):
         self.run_command("solve", "photo.cam", "--with", "marks.yml", "--drawing", "over.png",
                          "--over", "photo.png")
         self.assertTrue((self.folder / "over.png").read_bytes().startswith(b"\x89PNG"))
+        self.run_command("solve", "photo.cam", "--with", "marks.yml", "--uncertainty", "map.png")
+        self.assertTrue((self.folder / "map.png").read_bytes().startswith(b"\x89PNG"))
+        self.refused("solve", "photo.cam", "--with", "marks.yml", "--uncertainty", "map.svg",
+                     code=2, says="the file extension of 'map.svg' is not that of a picture")
         self.refused("solve", "photo.cam", "--with", "marks.yml", "--drawing", "over.svg", "--over",
                      "photo.png", code=2, says="'over.svg' has no pixels")
         self.refused("solve", "photo.cam", "--with", "marks.yml", "--over", "photo.png", code=2,

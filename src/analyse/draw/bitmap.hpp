@@ -13,6 +13,8 @@
 namespace balcony::analyse {
 
 using Color = std::array<std::uint8_t, 3>;
+inline constexpr Color white{255, 255, 255};
+inline constexpr Color black{0, 0, 0};
 
 /// An image to draw into; what lies outside is left out.
 class Bitmap {

@@ -64,8 +64,7 @@ double ColorScale::value(double position) const {
                                        : min_ * std::pow(max_ / min_, position);
 }
 
-std::vector<ColorScale::Tick> ColorScale::ticks() const {
-    constexpr double wanted = 5.0;
+std::vector<ColorScale::Tick> ColorScale::ticks(double wanted) const {
     constexpr double slack = 1e-9;
     std::vector<Tick> ticks;
     // A decade or more: powers of ten, with two and five times these if there is room.

@@ -32,8 +32,8 @@ public:
         double value;
         std::string text;
     };
-    /// Round numbers on the scale, about five.
-    [[nodiscard]] std::vector<Tick> ticks() const;
+    /// Round numbers on the scale, at most about so many.
+    [[nodiscard]] std::vector<Tick> ticks(double wanted = 5.0) const;
 
 private:
     double min_;

@@ -9,30 +9,25 @@
 
 #include "analyse/draw/bitmap.hpp"
 #include "analyse/draw/color_scale.hpp"
+#include "analyse/draw/legend.hpp"
 #include "balcony/diagnose.hpp"
 
 namespace balcony::analyse {
 
 namespace {
 
-constexpr Color white{255, 255, 255};
-constexpr Color black{0, 0, 0};
 constexpr Color no_ray_color{128, 128, 128};
 constexpr Color singular_color{200, 30, 110};
 constexpr Color no_surface_color{205, 205, 205};
 
-/// A colour and its meaning.
-struct Swatch {
-    Color color;
-    std::string meaning;
-};
-
-/// The design of a map: the colour of each sample, and the contents of the legend.
+/// The design of a map: the contents of the legend, and the colour of each sample.
 struct Design {
     std::string title;
     std::function<Color(const Sample&)> color;
     std::optional<ColorScale> scale;
     std::vector<Swatch> swatches;
+
+    [[nodiscard]] Legend legend() const { return {title, scale, swatches}; }
 };
 
 // The sorted values of the samples that have a ray and are not singular.
@@ -196,65 +191,6 @@ void leave_out_unused(const CameraReport& report, Design& design) {
     });
 }
 
-/// The legend: a title, the scale with its ticks, and swatches.
-class Legend {
-public:
-    static constexpr std::size_t text_size = 2;
-    static constexpr std::size_t margin = 8;
-    static constexpr std::size_t line = 7 * text_size + margin;
-    static constexpr std::size_t bar_height = 12;
-
-    static std::size_t height(const Design& design) {
-        return margin + line + (design.scale ? bar_height + margin + line : 0) +
-               (design.swatches.empty() ? 0 : line);
-    }
-
-    Legend(Bitmap& bitmap, std::size_t top) : bitmap_(bitmap), y_(top + margin) {}
-
-    void draw(const Design& design) {
-        bitmap_.write(margin, y_, design.title, black, text_size);
-        y_ += line;
-        if (design.scale) {
-            draw_scale(*design.scale);
-        }
-        std::size_t x = margin;
-        for (const Swatch& swatch : design.swatches) {
-            const std::size_t side = Bitmap::text_height(text_size);
-            bitmap_.fill(x, y_, side, side, swatch.color);
-            bitmap_.write(x + side + margin, y_, swatch.meaning, black, text_size);
-            x += side + 4 * margin + Bitmap::text_width(swatch.meaning, text_size);
-        }
-    }
-
-private:
-    void draw_scale(const ColorScale& scale) {
-        const std::size_t width = bitmap_.width() - 2 * margin;
-        for (std::size_t x = 0; x < width; ++x) {
-            const double s = (static_cast<double>(x) + 0.5) / static_cast<double>(width);
-            bitmap_.fill(margin + x, y_, 1, bar_height, sequential_color(s));
-        }
-        y_ += bar_height;
-        std::size_t free = 0;
-        for (const ColorScale::Tick& tick : scale.ticks()) {
-            const auto x = margin + static_cast<std::size_t>(scale.position(tick.value) *
-                                                             static_cast<double>(width - 1));
-            bitmap_.fill(x, y_, 1, margin / 2, black);
-            const std::size_t text_width = Bitmap::text_width(tick.text, text_size);
-            const std::size_t half = text_width / 2;
-            const std::size_t left =
-                std::min(x > half ? x - half : 0, bitmap_.width() - text_width);
-            if (left >= free) {
-                bitmap_.write(left, y_ + margin / 2 + 2, tick.text, black, text_size);
-                free = left + text_width + 2 * margin;
-            }
-        }
-        y_ += margin + line;
-    }
-
-    Bitmap& bitmap_;
-    std::size_t y_;
-};
-
 }  // namespace
 
 Names<MapKind> map_kinds() {
@@ -284,13 +220,13 @@ Image false_color(const CameraReport& report, MapKind kind) {
     const std::size_t longest = std::max({grid.columns, grid.rows, std::size_t{1}});
     const std::size_t side = std::min(wished, std::max<std::size_t>(max_side / longest, 1));
     const std::size_t map_height = side * grid.rows;
-    Bitmap bitmap(std::max(side * grid.columns, min_width), map_height + Legend::height(design),
-                  white);
+    const Legend legend = design.legend();
+    Bitmap bitmap(std::max(side * grid.columns, min_width), map_height + height_of(legend), white);
     for (std::size_t i = 0; i < report.samples.size(); ++i) {
         bitmap.fill(side * (i % grid.columns), side * (i / grid.columns), side, side,
                     design.color(report.samples[i]));
     }
-    Legend(bitmap, map_height).draw(design);
+    write_legend(legend, map_height, bitmap);
     return bitmap.take();
 }
 

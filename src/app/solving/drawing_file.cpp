@@ -54,7 +54,28 @@ Diagnostics usage(std::string message, std::string remedy) {
     return {error(Kind::usage, std::move(message), std::move(remedy))};
 }
 
+Diagnostics write_image(const Image& image, const fs::path& file) {
+    return render::write_samples(image.samples, {image.width, image.height, 3}, file);
+}
+
 }  // namespace
+
+Diagnostics check_uncertainty_of(const SolveRequest& request) {
+    if (request.uncertainty.empty()) {
+        return {};
+    }
+    if (render::display_format(request.uncertainty) == nullptr) {
+        return usage(fmt::format("the file extension of '{}' is not that of a picture",
+                                 request.uncertainty.string()),
+                     "use a file name that ends in .png, .jpg, .webp or .tif");
+    }
+    return OutputFile::check(request.uncertainty);
+}
+
+Diagnostics write_uncertainty_of(const SolveReport& report, const SolveRequest& request) {
+    return request.uncertainty.empty() ? Diagnostics()
+                                       : write_image(uncertainty_map(report), request.uncertainty);
+}
 
 Diagnostics check_drawing_of(const SolveRequest& request) {
     if (request.drawing.empty()) {
@@ -98,9 +119,7 @@ Diagnostics write_drawing_of(const SolveReport& report, const SolveRequest& requ
         }
         drawing.background = std::move(*picture);
     }
-    const Image image = analyse::rasterise(drawing);
-    add(found,
-        render::write_samples(image.samples, {image.width, image.height, 3}, request.drawing));
+    add(found, write_image(analyse::rasterise(drawing), request.drawing));
     return found;
 }
 

@@ -12,4 +12,9 @@ namespace balcony::app {
 /// Writes it, if one is asked for.
 [[nodiscard]] Diagnostics write_drawing_of(const SolveReport& report, const SolveRequest& request);
 
+/// The same of the map of the uncertainty of projections.
+[[nodiscard]] Diagnostics check_uncertainty_of(const SolveRequest& request);
+[[nodiscard]] Diagnostics write_uncertainty_of(const SolveReport& report,
+                                               const SolveRequest& request);
+
 }  // namespace balcony::app

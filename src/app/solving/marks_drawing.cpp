@@ -59,7 +59,7 @@ private:
                 most = std::max(most, *one);
             }
         }
-        const solve::ErrorGrid grid;
+        const solve::ErrorGrid& grid = report_.grid;
         if (!(most > 0.0) || report_.solution.errors.size() != grid.columns * grid.rows) {
             return;
         }
@@ -154,5 +154,14 @@ private:
 }  // namespace
 
 Drawing draw_marks(const SolveReport& report) { return MarksDrawing(report).take(); }
+
+Image uncertainty_map(const SolveReport& report) {
+    return analyse::paint({.title = "expected uncertainty of projections: deviation in pixels",
+                           .width = report.width,
+                           .height = report.height,
+                           .columns = report.grid.columns,
+                           .rows = report.grid.rows,
+                           .numbers = report.solution.errors});
+}
 
 }  // namespace balcony::app

@@ -92,17 +92,18 @@ Diagnostics warn_of_other_folder(const fs::path& camera, const fs::path& output,
 }
 
 Diagnostics check_outputs(const SolveRequest& request) {
-    if (request.output.empty()) {
-        return check_drawing_of(request);
-    }
-    if (ending_of(request.output) != ".cam") {
+    Diagnostics found;
+    if (!request.output.empty() && ending_of(request.output) != ".cam") {
         return {error(Kind::usage,
                       fmt::format("the file extension of '{}' is not that of a camera file",
                                   request.output.string()),
                       "use a file name that ends in .cam")};
     }
-    Diagnostics found = OutputFile::check(request.output);
+    if (!request.output.empty()) {
+        add(found, OutputFile::check(request.output));
+    }
     add(found, check_drawing_of(request));
+    add(found, check_uncertainty_of(request));
     return found;
 }
 
@@ -112,7 +113,8 @@ Diagnostics check_no_input(const SolveRequest& request, std::vector<fs::path> fi
     files.push_back(request.over);
     Diagnostics found;
     for (const auto& [output, option] :
-         {std::pair(request.output, "--output"), std::pair(request.drawing, "--drawing")}) {
+         {std::pair(request.output, "--output"), std::pair(request.drawing, "--drawing"),
+          std::pair(request.uncertainty, "--uncertainty")}) {
         if (!output.empty()) {
             add(found, check_overwrites(output, files, option));
         }
@@ -198,7 +200,10 @@ Result<SolveReport> solve_camera(const SolveRequest& request, const std::stop_to
                        .labels = marks->labels};
     solve::Options options;
     options.starts = request.starts;
-    options.errors.emplace();
+    if (!request.uncertainty.empty()) {
+        report.grid = {.columns = 48, .rows = 27};
+    }
+    options.errors = report.grid;
     const solve::CameraMaker maker = subject.maker(*wanted);
     Result<solve::Solution> solution =
         solve::solve(maker, static_cast<double>(report.width), static_cast<double>(report.height),
@@ -218,7 +223,8 @@ Result<SolveReport> solve_camera(const SolveRequest& request, const std::stop_to
     }
     report.text = std::move(*text);
     if ((!request.output.empty() && add(found, write_whole(request.output, report.text))) ||
-        add(found, write_drawing_of(report, request))) {
+        add(found, write_drawing_of(report, request)) ||
+        add(found, write_uncertainty_of(report, request))) {
         return found;
     }
     return {std::move(report), std::move(found)};

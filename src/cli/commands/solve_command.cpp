@@ -19,6 +19,7 @@ struct SolveOptions {
     std::string output;
     std::string drawing;
     std::string over;
+    std::string uncertainty;
     Manner manner;
 };
 
@@ -30,6 +31,7 @@ ExitCode solve(const SolveOptions& options) {
     request.output = options.output;
     request.drawing = options.drawing;
     request.over = options.over;
+    request.uncertainty = options.uncertainty;
     const Interruptible work;
     const auto solved = app::solve_camera(request, work.token());
     if (answer.add(solved.diagnostics)) {
@@ -38,8 +40,10 @@ ExitCode solve(const SolveOptions& options) {
             options.output.empty() ? nlohmann::json() : nlohmann::json(options.output);
         answer.facts["drawing"] =
             options.drawing.empty() ? nlohmann::json() : nlohmann::json(options.drawing);
+        answer.facts["uncertainty_map"] =
+            options.uncertainty.empty() ? nlohmann::json() : nlohmann::json(options.uncertainty);
         answer.text = to_text(*solved);
-        for (const std::string& file : {options.output, options.drawing}) {
+        for (const std::string& file : {options.output, options.drawing, options.uncertainty}) {
             answer.text += file.empty() ? "" : fmt::format("{}: written\n", printable(file));
         }
     }
@@ -74,6 +78,12 @@ void add_solve_command(CLI::App& app, ExitCode& code) {
                                    .meaning = "the photo or the rendering that was marked, which "
                                               "the drawing is put over"},
                                   text(OptionType::file), &SolveOptions::over));
+        all.rows.push_back(
+            option({.name = "--uncertainty",
+                    .placeholder = "FILE",
+                    .meaning = "a map (.png, .jpg, .webp, .tif) of the expected uncertainty of "
+                               "projections, with lines of equal deviation"},
+                   text(OptionType::file), &SolveOptions::uncertainty));
         all.add(&SolveOptions::request,
                 {{app::set_option(&app::SolveRequest::set),
                   option({.name = "--starts",
