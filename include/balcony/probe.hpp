@@ -21,6 +21,7 @@
 
 #include "balcony/base.hpp"
 #include "balcony/camera.hpp"
+#include "balcony/picture.hpp"
 #include "balcony/progress.hpp"
 #include "balcony/rays.hpp"
 #include "balcony/render.hpp"
@@ -32,14 +33,15 @@ namespace balcony::render {
 struct ProbeSettings {
     std::size_t width = 1280;  ///< Of the picture in pixels: 1 to 2^20.
     std::size_t height = 720;
-    std::size_t step = 4;  ///< Pixels between rays, at least 1.
-    bool searches = true;  ///< For objects that are not seen at this step, in all pixels.
-    double time = 0.0;     ///< The value of t in the camera's formulas.
+    std::size_t step = 4;            ///< Pixels between rays, at least 1.
+    bool searches = true;            ///< For objects that are not seen at this step, in all pixels.
+    double time = 0.0;               ///< The value of t in the camera's formulas.
+    camera::ObjectFilter objects{};  ///< What the rays of the camera meet, as those of a layer.
 };
 
 /// The visibility of an object of the scene from a camera.
 struct ObjectSight {
-    bool has_surface = false;
+    bool has_surface = false;  ///< It has triangles that the rays may meet.
     bool seen = false;
     /// The number of rays at the step that start inside. Only an object whose surface is closed and
     /// faces outwards has an inside.

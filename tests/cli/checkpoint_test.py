@@ -82,6 +82,19 @@ class Checkpoint(ResumedTest):
         self.interrupted(*SLOW, *region, *OFTEN, "-o", "p.exr")
         self.assertEqual(self.picture(*SLOW, *region, "--resume", "-o", "p.exr"), whole)
 
+    def test_layers_of_some_objects_are_resumed(self):
+        text = (self.folder / "my.cam").read_text() + """
+picture parts {
+    layer above { hide objects("*") }
+    layer above { show objects("*")  blend by depth }
+}
+"""
+        (self.folder / "my.cam").write_text(text)
+        words = [word.replace("my.cam:above", "my.cam:parts") for word in SLOW]
+        whole = self.whole(*words)
+        self.interrupted(*words, *OFTEN, "-o", "p.exr")
+        self.assertEqual(self.picture(*words, "--resume", "-o", "p.exr"), whole)
+
     def test_a_stopped_render_keeps_its_checkpoint(self):
         process = self.start(*SLOW[:-1], *OFTEN, "-o", "p.exr")
         while process.poll() is None and not (self.folder / "p.exr.checkpoint").exists():

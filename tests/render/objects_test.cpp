@@ -13,102 +13,14 @@
 
 #include <gtest/gtest.h>
 
-#include "balcony/picture.hpp"
 #include "balcony/picture_samples.hpp"
+#include "still_life.hpp"
 #include "support.hpp"
 
 namespace balcony::render::test::objects_test {
 namespace {
 
-using camera::Compositing;
-using camera::Layer;
-
-scene::Material colored(const Color3f& color) {
-    scene::Material material;
-    material.base_color = color;
-    material.roughness = 1.0F;
-    return material;
-}
-
-scene::Material clear_glass() {
-    scene::Material glass = white();
-    glass.transmission = 1.0F;
-    glass.roughness = 0.0F;
-    glass.thin_walled = false;
-    return glass;
-}
-
-// A ball in front of a wall, and a slanted board that cuts through the ball; in front of all, a
-// small ball of another material. A lamp is on the left.
-scene::Scene still_life(const scene::Material& small = clear_glass()) {
-    scene::Scene scene;
-    const auto place = [](double x, double y, double z) {
-        return scene::M44d().translate(scene::V3d(x, y, z));
-    };
-    add(scene, wall(-3.0F, 8.0F), colored(Color3f(0.6F, 0.5F, 0.4F)));
-    add(scene, coarse_sphere(0.8F, 32, 16), colored(Color3f(0.8F, 0.1F, 0.1F)),
-        place(0.3, 0.1, -1.0));
-    add(scene, parallelogram({-1.0F, -0.6F, -2.2F}, {2.0F, 0.0F, 1.6F}, {0.0F, 1.0F, 0.3F}),
-        colored(Color3f(0.1F, 0.3F, 0.8F)));
-    add(scene, coarse_sphere(0.3F, 24, 12), small, place(-0.4, 0.3, 0.2));
-    const std::array<const char*, 4> names{"wall", "ball 1", "board", "ball 2"};
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        scene.objects[i].name = names[i];
-    }
-    scene::Light lamp;
-    lamp.position = scene::V3d(-3.0, 2.0, 1.0);
-    lamp.intensity = Color3f(30.0F);
-    scene.lights = {lamp};
-    return scene;
-}
-
-camera::Camera eye() { return pinhole(view_down_z(0.0, 0.0, 2.0)); }
-
-camera::ObjectFilter only(std::vector<std::string> names, bool shows = true) {
-    camera::ObjectChoice choice{shows, {}};
-    for (std::string& name : names) {
-        choice.patterns.push_back({std::move(name)});
-    }
-    return {choice};
-}
-
-Layer layer(std::string name, camera::Camera camera, camera::ObjectFilter objects,
-            Compositing compositing = Compositing::order) {
-    Layer made{std::move(name), std::move(camera)};
-    made.objects = std::move(objects);
-    made.compositing = compositing;
-    return made;
-}
-
-camera::Picture picture_of(std::vector<Layer> layers) {
-    camera::Picture::Parts parts;
-    parts.name = "still life";
-    parts.layers = std::move(layers);
-    Result<camera::Picture> made = camera::Picture::make(std::move(parts));
-    EXPECT_TRUE(made) << to_text(made.diagnostics);
-    return *made;
-}
-
-// The wall, and all else in front of it by depth, each in a layer of its own.
-camera::Picture in_parts(const camera::Camera& master, const camera::Camera& others) {
-    return picture_of({layer("rest", master, only({"ball*", "board"}, false)),
-                       layer("ball", others, only({"ball 1"}), Compositing::depth),
-                       layer("board", others, only({"board"}), Compositing::depth),
-                       layer("glass", others, only({"ball 2"}), Compositing::depth)});
-}
-
-template <class Value>
-bool are_same(const std::vector<Value>& a, const std::vector<Value>& b) {
-    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Value)) == 0;
-}
-
-Request asked(const std::string& integrator, std::size_t samples = 2) {
-    Request made = request(96, 72, integrator, samples);
-    made.layout.layers = {LayerId::crypto_object, LayerId::direct, LayerId::emission,
-                          LayerId::mean_position};
-    made.light.sky_beside_suns = false;
-    return made;
-}
+using namespace still_life;
 
 // ------------------------------------------------------------------------------------- by depth
 
@@ -120,7 +32,8 @@ TEST(ObjectsByDepth, PartsWithTheMastersCameraAreThePlainPicture) {
         wanted.path.reuse = false;
         wanted.path.probes_patches = false;
         wanted.path.probes_windows = false;
-        const scene::Scene scene = integrator == "path" ? still_life(white()) : still_life();
+        const scene::Scene scene =
+            integrator == "path" ? scene_of_parts(white()) : scene_of_parts();
         const Film plain = render(scene, eye(), wanted).film;
         const Film parts = render(scene, in_parts(eye(), eye()), wanted).film;
         EXPECT_TRUE(are_same(plain.sum, parts.sum)) << integrator;
@@ -141,7 +54,7 @@ TEST(ObjectsByDepth, OrderOfLayersDoesNotMatter) {
             layers.push_back(layer(name, orthographic(view_down_z(0.1, 0.0, 2.0)), only({name}),
                                    Compositing::depth));
         }
-        return render(still_life(), picture_of(std::move(layers)), asked("direct")).film;
+        return render(scene_of_parts(), picture_of(std::move(layers)), asked("direct")).film;
     };
     EXPECT_TRUE(are_same(with({"ball 1", "board"}).sum, with({"board", "ball 1"}).sum));
 }
@@ -188,7 +101,7 @@ TEST(ObjectsByDepth, WhatIsBehindTheMasterIsNotDrawn) {
 // A board of half opacity in front of the ball: paths pass it by chance, and meet in each layer
 // what they would meet in the whole scene.
 TEST(ObjectsByDepth, HalfTransparentObjectsKeepTheirMean) {
-    scene::Scene scene = still_life();
+    scene::Scene scene = scene_of_parts();
     scene::Material veil = colored(Color3f(0.1F, 0.7F, 0.2F));
     veil.alpha_mode = scene::AlphaMode::blend;
     veil.alpha = 0.4F;
@@ -259,7 +172,7 @@ TEST(Objects, HiddenOnesStillCastShadowsAndShowInMirrors) {
 }
 
 TEST(Objects, ALayerOfSomeLeavesTheRestToThoseBehind) {
-    const scene::Scene scene = still_life();
+    const scene::Scene scene = scene_of_parts();
     const Film ball =
         render(scene, picture_of({layer("ball", eye(), only({"ball 1"}))}), asked("path")).film;
     const Film over = render(scene,
@@ -281,7 +194,7 @@ TEST(Objects, ALayerOfSomeLeavesTheRestToThoseBehind) {
 }
 
 TEST(Objects, OnlyALayerOfAllOthersShowsTheEnvironment) {
-    scene::Scene scene = still_life();
+    scene::Scene scene = scene_of_parts();
     scene.lights.clear();
     Request wanted = asked("path", 1);
     wanted.light.environment = Environment::dome();
@@ -299,8 +212,9 @@ TEST(Objects, FiltersOfNestedPicturesApplyTogether) {
         picture_of({layer("round", eye(), only({"ball*"}))}));
     Layer outer{"outer", inner};
     outer.objects = only({"ball 2"}, false);
-    const Film film = render(still_life(), picture_of({std::move(outer)}), asked("direct", 1)).film;
-    const Film ball = render(still_life(), picture_of({layer("ball", eye(), only({"ball 1"}))}),
+    const Film film =
+        render(scene_of_parts(), picture_of({std::move(outer)}), asked("direct", 1)).film;
+    const Film ball = render(scene_of_parts(), picture_of({layer("ball", eye(), only({"ball 1"}))}),
                              asked("direct", 1))
                           .film;
     EXPECT_TRUE(are_same(film.sum, ball.sum));
@@ -313,9 +227,9 @@ TEST(Objects, RegionsAreThoseOfTheWhole) {
     Request wanted = asked("path");
     wanted.layout.width = 150;
     wanted.path.exact = false;
-    const Film whole = render(still_life(), picture, wanted).film;
+    const Film whole = render(scene_of_parts(), picture, wanted).film;
     wanted.layout.window = Region{61, 20, 40, 33};
-    const Film part = render(still_life(), picture, wanted).film;
+    const Film part = render(scene_of_parts(), picture, wanted).film;
     for (std::size_t y = 20; y < 53; ++y) {
         for (std::size_t x = 61; x < 101; ++x) {
             ASSERT_EQ(part.sum[part.index(x, y)], whole.sum[whole.index(x, y)]) << x << ' ' << y;
@@ -328,7 +242,7 @@ TEST(Objects, RegionsAreThoseOfTheWhole) {
 // ---------------------------------------------------------------------------------- bad pictures
 
 TEST(Objects, UnknownNamesAreErrors) {
-    const Renderer renderer = renderer_of(still_life());
+    const Renderer renderer = renderer_of(scene_of_parts());
     Result<Film> film = make_film(asked("direct").layout);
     const camera::Picture picture = picture_of(
         {layer("rest", eye(), only({"ball*"}, false)), layer("board", eye(), only({"bord"}))});
@@ -340,7 +254,7 @@ TEST(Objects, UnknownNamesAreErrors) {
 }
 
 TEST(Objects, SomeHaveNoTriangles) {
-    scene::Scene scene = still_life();
+    scene::Scene scene = scene_of_parts();
     add(scene, scene::Mesh{}, white());
     scene.objects.back().name = "nothing";
     const auto with = [&](camera::ObjectFilter objects) {

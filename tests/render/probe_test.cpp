@@ -159,6 +159,22 @@ TEST(Probe, OnlyClosedOutwardFacingObjectsHaveAnInside) {
     EXPECT_TRUE(found.objects[1].seen);
 }
 
+TEST(Probe, RaysStartInNoObjectThatIsHidden) {
+    scene::Scene scene;
+    add(scene, cube(V3f(0.0F)), white());
+    scene.objects[0].name = "shell";
+    const Renderer renderer = renderer_of(scene);
+    ProbeSettings settings{.width = 16, .height = 16};
+    const auto inside = [&] {
+        return probe(renderer, pinhole(view_down_z(0.0, 0.0, 0.0)), settings)
+            ->objects[0]
+            .rays_from_inside;
+    };
+    EXPECT_GT(inside(), 0U);
+    settings.objects = {{.shows = false, .patterns = {{"shell"}}}};
+    EXPECT_EQ(inside(), 0U);
+}
+
 // A slope that rises by 3 in 4 to the right, from -1 to 1, and a smaller plate across the rays
 // before it. Floats at a distance of 3 are exact to 2.4e-7, and neighbours are 0.125 apart.
 TEST(ScaleErrors, AreThoseOfTheSurfaceAlsoBesideItsEdges) {

@@ -207,11 +207,12 @@ void describe_objects(Report& report, const render::Summary::Layer& layer) {
 void describe_sight(Report& report, const Loaded& loaded, const camera::Picture& picture,
                     std::pair<std::size_t, std::size_t> size, const std::stop_token& stop) {
     constexpr double few = 0.02;  // The share of rays that meet something, if hardly any does.
-    const render::ProbeSettings settings = coarse_probe(size, 64.0 * 64.0, loaded.settings.time);
+    render::ProbeSettings settings = coarse_probe(size, 64.0 * 64.0, loaded.settings.time);
     for (const camera::ShownCamera& shown : shown_cameras(picture)) {
-        const Result<render::Probe> probe =
-            render::probe(*loaded.renderer, shown.camera, settings, {}, stop);
         for (const camera::ShownCamera::LayerUse& use : shown.uses) {
+            settings.objects = use.objects;
+            const Result<render::Probe> probe =
+                render::probe(*loaded.renderer, shown.camera, settings, {}, stop);
             const render::Summary::Layer& layer = report.summary.layers[use.index];
             if (layer.camera_rays == layer.invalid_rays) {
                 continue;
@@ -239,16 +240,19 @@ Diagnostics pass_starts(InsideRule rule, const camera::Picture& picture,
     if (rule != InsideRule::pass) {
         return {};
     }
-    const render::ProbeSettings settings = coarse_probe(size, 256.0 * 256.0, loaded.settings.time);
+    render::ProbeSettings settings = coarse_probe(size, 256.0 * 256.0, loaded.settings.time);
     for (const camera::ShownCamera& shown : shown_cameras(picture)) {
-        const Result<render::Probe> probe =
-            render::probe(*loaded.renderer, shown.camera, settings, {}, stop);
-        if (!probe) {
-            return probe.diagnostics;
-        }
-        for (const StartInside& start : starts_inside(*probe, *loaded.scene)) {
-            if (!start.is_room) {
-                passed.push_back(start.index);
+        for (const camera::ShownCamera::LayerUse& use : shown.uses) {
+            settings.objects = use.objects;
+            const Result<render::Probe> probe =
+                render::probe(*loaded.renderer, shown.camera, settings, {}, stop);
+            if (!probe) {
+                return probe.diagnostics;
+            }
+            for (const StartInside& start : starts_inside(*probe, *loaded.scene)) {
+                if (!start.is_room) {
+                    passed.push_back(start.index);
+                }
             }
         }
     }

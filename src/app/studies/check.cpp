@@ -300,7 +300,8 @@ private:
     [[nodiscard]] render::ProbeSettings probe_settings(const CheckSubject& subject) const {
         return {.width = static_cast<std::size_t>(subject.width),
                 .height = static_cast<std::size_t>(subject.height),
-                .time = request_.time};
+                .time = request_.time,
+                .objects = subject.objects};
     }
 
     // False if that is not possible.
@@ -315,7 +316,7 @@ private:
             check.in_scene->scale = scale_of(subject);
         }
         if (!probe->median_distance && probe->rays > 0) {
-            explain_empty_view(subject, *check.in_scene);
+            explain_empty_view(subject, *probe, *check.in_scene);
         }
         scene_distance_ = probe->median_distance;
         return true;
@@ -349,9 +350,10 @@ private:
         };
         const std::size_t width = scaled(subject.width);
         const std::size_t height = scaled(subject.height);
-        Result<render::Probe> probe =
-            render::probe(*renderer_, subject.camera,
-                          {.width = width, .height = height, .time = request_.time}, {}, stop_);
+        Result<render::Probe> probe = render::probe(
+            *renderer_, subject.camera,
+            {.width = width, .height = height, .time = request_.time, .objects = subject.objects},
+            {}, stop_);
         if (probe) {
             for (render::ObjectSight& sight : probe->objects) {
                 sight.inside_at.x *= subject.width / static_cast<double>(width);
@@ -361,10 +363,14 @@ private:
         return probe;
     }
 
-    void explain_empty_view(const CheckSubject& subject, CameraCheck::InScene& found) const {
+    void explain_empty_view(const CheckSubject& subject, const render::Probe& probe,
+                            CameraCheck::InScene& found) const {
+        const bool is_empty =
+            std::none_of(probe.objects.begin(), probe.objects.end(),
+                         [](const render::ObjectSight& sight) { return sight.seen; });
         const Result<render::Miss> miss =
             render::explain_miss(*renderer_, subject.camera, probe_settings(subject), stop_);
-        if (miss && found.never_seen.size() == scene_->objects.size()) {
+        if (miss && is_empty) {
             found.miss = miss_text(*miss, subject.camera);
         }
     }

@@ -28,6 +28,7 @@ public:
                 if (!is_wanted(use.layer)) {
                     continue;
                 }
+                subject.objects = subject.layers.empty() ? use.objects : camera::ObjectFilter();
                 if (!subject.by_itself) {
                     subject.layers.push_back({picture.name(), use.layer});
                 }
@@ -67,6 +68,7 @@ private:
             return;
         }
         known->by_itself = known->by_itself || subject.by_itself;
+        known->objects.clear();
         known->layers.insert(known->layers.end(), subject.layers.begin(), subject.layers.end());
         enlarge(*known, {subject.width, subject.height});
     }

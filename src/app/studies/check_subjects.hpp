@@ -17,6 +17,8 @@ struct CheckSubject {
     std::vector<CameraCheck::Layer> layers{};  ///< The layers that show it.
     double width = 0.0;                        ///< In pixels, in the largest of these layers.
     double height = 0.0;
+    /// What its layer shows; all objects if several layers show it.
+    camera::ObjectFilter objects{};
 };
 
 /// Makes all pictures of a file, so that its mistakes are found, and returns the cameras in those

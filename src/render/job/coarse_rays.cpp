@@ -31,7 +31,7 @@ rays::Tile coarse_grid(const Film& film, double time) {
 DifferentialRay coarse_ray(const TracedScene& traced, const rays::Tile& grid, const TileRays& rays,
                            std::size_t i) {
     const embree::Accelerator& objects =
-        rays.shown != nullptr && rays.shown->some ? *rays.shown->some : traced.accelerator;
+        rays.shown != nullptr ? rays.shown->in(traced) : traced.accelerator;
     const std::size_t seen =
         rays.all.part_count() == 1 ? 0 : first_hit(objects, rays.all, i, rays.time_of(i)).part;
     const rays::RayBatch::Part part = rays.all.part(i, seen);

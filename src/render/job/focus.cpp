@@ -63,8 +63,7 @@ private:
         const embree::Ray ray{.origin = V3f(rays_.all.origin(i)),
                               .direction = V3f(rays_.all.direction(i)),
                               .time = rays_.time_of(i)};
-        const embree::Hit hit =
-            (rays_.shown->some ? *rays_.shown->some : traced_.accelerator).intersect(ray);
+        const embree::Hit hit = rays_.shown->in(traced_).intersect(ray);
         if (!hit.any() || !objects[traced_.scene->instances[hit.instance].object]) {
             return std::nullopt;
         }

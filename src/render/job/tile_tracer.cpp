@@ -121,7 +121,7 @@ void TileTracer::intersect(const TileRays& rays, const Square& first,
 
 void TileTracer::intersect(std::span<embree::Packet> packets, const ShownObjects& shown,
                            bool bent) const {
-    const embree::Accelerator& objects = shown.some ? *shown.some : traced_->accelerator;
+    const embree::Accelerator& objects = shown.in(*traced_);
     if (passed_.empty() && !bent) {
         objects.intersect(packets);
         return;

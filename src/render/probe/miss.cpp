@@ -57,7 +57,8 @@ Miss::Attempt attempt_of(RayChange change, double factor, const std::vector<Line
         if (!embree::in_range(line.origin)) {
             continue;
         }
-        const embree::Hit hit = scene.nearest(scene.ray(V3f(line.origin), V3f(line.direction)));
+        const embree::Hit hit =
+            scene.shown().intersect(scene.ray(V3f(line.origin), V3f(line.direction)));
         if (hit.any()) {
             met[scene.object(hit)] = true;
             ++hits;
@@ -72,8 +73,11 @@ Miss::Attempt attempt_of(RayChange change, double factor, const std::vector<Line
 
 Result<Miss> explain_miss(const Renderer& renderer, const camera::Camera& camera,
                           const ProbeSettings& settings, const std::stop_token& stop) {
-    const ProbedScene probed(renderer);
-    const scene::Scene& scene = probed.scene();
+    const Result<ProbedScene> probed = ProbedScene::make(renderer, settings);
+    if (!probed) {
+        return probed.diagnostics;
+    }
+    const scene::Scene& scene = probed->scene();
     const Result<rays::RayProgram> program = compile(camera, settings, scene.axes, stop);
     if (!program) {
         return program.diagnostics;
@@ -93,7 +97,7 @@ Result<Miss> explain_miss(const Renderer& renderer, const camera::Camera& camera
         std::vector<Line> others;
         others.reserve(lines.size());
         std::transform(lines.begin(), lines.end(), std::back_inserter(others), changed);
-        const Miss::Attempt made = attempt_of(change, factor, others, probed);
+        const Miss::Attempt made = attempt_of(change, factor, others, *probed);
         if (made.objects > 0) {
             miss.attempts.push_back(made);
         }

@@ -50,8 +50,9 @@ public:
           progress_(progress) {
         const scene::Scene& scene = probed.scene();
         probe_.objects.resize(scene.objects.size());
-        for (const scene::Instance& instance : scene.instances) {
-            if (!scene.meshes[instance.mesh.value()]->triangles.empty()) {
+        for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+            const scene::Instance& instance = scene.instances[i];
+            if (probed.shows(i) && !scene.meshes[instance.mesh.value()]->triangles.empty()) {
                 probe_.objects[instance.object].has_surface = true;
             }
         }
@@ -130,7 +131,7 @@ private:
             for (embree::Packet& packet : packets) {
                 packet.time.fill(scene_.time());
             }
-            scene_.traced().accelerator.intersect(packets);
+            scene_.shown().intersect(packets);
             for (std::size_t k = 0; k < packets.size(); ++k) {
                 for_each_ray(tile.rays, first.beside(k), [&](std::size_t i, std::size_t lane) {
                     if (packets[k].valid[lane] != 0) {
@@ -144,8 +145,7 @@ private:
     void look_along_bends(const RayTile& tile, bool measure) {
         for (std::size_t i = 0; i < tile.size(); ++i) {
             if (traceable(tile.rays, i)) {
-                const FirstHit first =
-                    first_hit(scene_.traced().accelerator, tile.rays, i, scene_.time());
+                const FirstHit first = first_hit(scene_.shown(), tile.rays, i, scene_.time());
                 const rays::RayBatch::Part part = tile.rays.part(i, first.part);
                 look(scene_.ray(V3f(part.origin), V3f(part.direction)), first.hit, measure,
                      length_before(tile.rays, i, first.part));
@@ -169,7 +169,7 @@ private:
                 return;
             }
             ray.origin = beyond(ray, hit);
-            hit = scene_.nearest(ray);
+            hit = scene_.nearest(ray, &scene_.shown());
         }
     }
 
@@ -212,7 +212,7 @@ private:
     }
 
     [[nodiscard]] std::optional<std::uint32_t> object_round(const embree::Ray& ray) {
-        const Hit hit = scene_.nearest(ray);
+        const Hit hit = scene_.nearest(ray, &scene_.shown());
         if (!hit.any()) {
             return std::nullopt;
         }
@@ -241,6 +241,14 @@ private:
 
 }  // namespace
 
+Result<ProbedScene> ProbedScene::make(const Renderer& renderer, const ProbeSettings& settings) {
+    Result<ShownObjects> shown = shown_by(settings.objects, renderer.state().traced);
+    if (!shown) {
+        return std::move(shown.diagnostics);
+    }
+    return ProbedScene(renderer, std::move(*shown));
+}
+
 Result<rays::RayProgram> compile(const camera::Camera& camera, const ProbeSettings& settings,
                                  Axes axes, const std::stop_token& stop) {
     if (!is_part({0, 0, settings.width, settings.height}, max_film_side, max_film_side) ||
@@ -257,12 +265,15 @@ Result<rays::RayProgram> compile(const camera::Camera& camera, const ProbeSettin
 Result<Probe> probe(const Renderer& renderer, const camera::Camera& camera,
                     const ProbeSettings& settings, const PartDone& progress,
                     const std::stop_token& stop) {
-    const ProbedScene scene(renderer);
-    const Result<rays::RayProgram> program = compile(camera, settings, scene.scene().axes, stop);
+    const Result<ProbedScene> scene = ProbedScene::make(renderer, settings);
+    if (!scene) {
+        return scene.diagnostics;
+    }
+    const Result<rays::RayProgram> program = compile(camera, settings, scene->scene().axes, stop);
     if (!program) {
         return program.diagnostics;
     }
-    Probe found = Prober(scene, *program, settings, stop, progress).run();
+    Probe found = Prober(*scene, *program, settings, stop, progress).run();
     if (stop.stop_requested()) {
         return stopped();
     }

@@ -6,10 +6,12 @@
 #include <cstdint>
 #include <span>
 #include <stop_token>
+#include <utility>
 
 #include "balcony/probe.hpp"
 #include "balcony/rays.hpp"
 #include "render/job/renderer_state.hpp"
+#include "render/tracing/shown_objects.hpp"
 
 namespace balcony::render {
 
@@ -23,10 +25,14 @@ namespace balcony::render {
 /// hits, and what they tell about its geometry. The renderer must outlive it.
 class ProbedScene {
 public:
-    explicit ProbedScene(const Renderer& renderer)
+    explicit ProbedScene(const Renderer& renderer, ShownObjects shown = {})
         : traced_(&renderer.state().traced),
+          shown_(std::move(shown)),
           scene_(traced_->scene.get()),
           time_(static_cast<float>(traced_->interval.part_at(scene_->time))) {}
+    /// With the objects that a probe is of.
+    [[nodiscard]] static Result<ProbedScene> make(const Renderer& renderer,
+                                                  const ProbeSettings& settings);
 
     [[nodiscard]] const TracedScene& traced() const { return *traced_; }
     [[nodiscard]] const scene::Scene& scene() const { return *scene_; }
@@ -36,7 +42,10 @@ public:
     [[nodiscard]] embree::Ray ray(const scene::V3f& origin, const scene::V3f& direction) const {
         return {.origin = origin, .direction = direction, .time = time_};
     }
-    /// In a part of the scene, if one is given.
+    /// What the rays of the camera are traced in, and whether they meet an instance.
+    [[nodiscard]] const embree::Accelerator& shown() const { return shown_.in(*traced_); }
+    [[nodiscard]] bool shows(std::size_t instance) const { return shown_.shows(instance); }
+    /// In all of the scene or in a part of it, if one is given.
     [[nodiscard]] embree::Hit nearest(const embree::Ray& ray,
                                       const embree::Accelerator* only = nullptr) const {
         return (only != nullptr ? *only : traced_->accelerator).intersect(ray);
@@ -77,6 +86,7 @@ private:
     }
 
     const TracedScene* traced_;
+    ShownObjects shown_;
     const scene::Scene* scene_;
     float time_;
 };

@@ -30,8 +30,7 @@ public:
         places_.resize(batch.size());
         for (std::size_t i = 0; i < batch.size(); ++i) {
             if (traceable(batch, i)) {
-                const embree::Hit hit =
-                    first_hit(scene.traced().accelerator, batch, i, scene.time()).hit;
+                const embree::Hit hit = first_hit(scene.shown(), batch, i, scene.time()).hit;
                 places_[i] = hit.any() ? std::optional(V3d(scene.place(hit))) : std::nullopt;
             }
         }
@@ -98,14 +97,17 @@ Result<std::optional<SurfaceScale>> measure_scale(const Renderer& renderer,
                                                   const camera::Camera& camera,
                                                   const ProbeSettings& settings,
                                                   const std::stop_token& stop) {
-    const ProbedScene scene(renderer);
-    const Result<rays::RayProgram> program = compile(camera, settings, scene.scene().axes, stop);
+    const Result<ProbedScene> scene = ProbedScene::make(renderer, settings);
+    if (!scene) {
+        return scene.diagnostics;
+    }
+    const Result<rays::RayProgram> program = compile(camera, settings, scene->scene().axes, stop);
     if (!program) {
         return program.diagnostics;
     }
     constexpr double points = 16384.0;
     const rays::Tile grid = coarse_grid(settings.width, settings.height, points, settings.time);
-    const PlacesMet met(scene, *program, grid);
+    const PlacesMet met(*scene, *program, grid);
     std::vector<double> across;
     std::vector<double> upwards;
     for (std::size_t y = 0; y < grid.height; ++y) {
@@ -131,12 +133,15 @@ Result<std::vector<std::optional<double>>> scale_errors(const Renderer& renderer
                                                         const ProbeSettings& settings,
                                                         const rays::Tile& grid, double pixel,
                                                         const std::stop_token& stop) {
-    const ProbedScene scene(renderer);
-    const Result<rays::RayProgram> program = compile(camera, settings, scene.scene().axes, stop);
+    const Result<ProbedScene> scene = ProbedScene::make(renderer, settings);
+    if (!scene) {
+        return scene.diagnostics;
+    }
+    const Result<rays::RayProgram> program = compile(camera, settings, scene->scene().axes, stop);
     if (!program) {
         return program.diagnostics;
     }
-    const PlacesMet met(scene, *program, grid);
+    const PlacesMet met(*scene, *program, grid);
     std::vector<std::optional<double>> errors(grid.width * grid.height);
     for (std::size_t y = 0; y < grid.height; ++y) {
         for (std::size_t x = 0; x < grid.width; ++x) {

@@ -34,17 +34,17 @@ Result<ShownObjects> shown_by(const camera::ObjectFilter& filter, const TracedSc
         return made;
     }
     const scene::Scene& scene = *traced.scene;
-    std::vector<std::uint8_t> instances(scene.instances.size(), 1);
+    made.instances.assign(scene.instances.size(), 1);
     for (const camera::ObjectChoice& choice : filter) {
         made.environment = made.environment && !choice.shows;
         const std::vector<bool> named = objects_of(choice, scene);
-        for (std::size_t i = 0; i < instances.size(); ++i) {
+        for (std::size_t i = 0; i < made.instances.size(); ++i) {
             if (named[scene.instances[i].object] != choice.shows) {
-                instances[i] = 0;
+                made.instances[i] = 0;
             }
         }
     }
-    Result<embree::Accelerator> some = traced.accelerator.only(instances);
+    Result<embree::Accelerator> some = traced.accelerator.only(made.instances);
     if (!some) {
         return std::move(some.diagnostics);
     }

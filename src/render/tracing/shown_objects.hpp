@@ -4,6 +4,8 @@
 
 // What the rays of a camera layer may meet first.
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -16,8 +18,16 @@ namespace balcony::render {
 /// The objects of a layer, before any reflection or refraction.
 struct ShownObjects {
     std::optional<embree::Accelerator> some{};  ///< Nothing if all are shown.
+    std::vector<std::uint8_t> instances{};      ///< Of these; 0 for one that is not shown.
     bool environment = true;
 
+    [[nodiscard]] bool shows(std::size_t instance) const {
+        return !some || instances[instance] != 0;
+    }
+    /// What rays of the layer are traced in.
+    [[nodiscard]] const embree::Accelerator& in(const TracedScene& traced) const {
+        return some ? *some : traced.accelerator;
+    }
     /// As SceneTracer::nearest() expects it.
     [[nodiscard]] const embree::Accelerator* only() const { return some ? &*some : nullptr; }
 };
