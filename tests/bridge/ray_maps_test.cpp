@@ -57,6 +57,22 @@ TEST(RayStream, HasTheRaysOfTheCameraInTheOrderOfThePixels) {
     }
 }
 
+TEST(RayGrid, WarnsThatItKnowsNoObjects) {
+    const auto text = std::make_shared<const SourceText>(
+        "parts.cam", "picture parts { layer panorama layer pinhole { show objects(\"vase*\") } }");
+    const auto picture = lang::make_picture(text, "");
+    ASSERT_TRUE(picture) << to_text(picture.diagnostics);
+    const auto said = [&](const std::string& layer) {
+        const auto grid = RayGrid::make(*picture, {.width = 8, .height = 4, .layer = layer});
+        EXPECT_TRUE(grid) << to_text(grid.diagnostics);
+        return grid.diagnostics.empty() ? "" : grid.diagnostics.front().message;
+    };
+    EXPECT_EQ(said("1"), "");
+    EXPECT_EQ(said("2"),
+              "layer 2 of 'parts' shows some objects of the scene, but a map has all rays of its "
+              "camera");
+}
+
 TEST(RayStream, EndsWhereTheSinkRefuses) {
     const RayGrid grid = grid_of("panorama", 2000, 1000);
     std::size_t calls = 0;

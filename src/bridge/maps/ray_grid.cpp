@@ -60,6 +60,23 @@ Result<std::size_t> find_layer(const camera::Picture& picture,
         fmt::format("give its number; {}", list));
 }
 
+// The layer shows some objects of a scene, and a map knows no objects.
+Diagnostics warn_of_objects(const camera::Picture& picture, std::size_t layer) {
+    for (const camera::ShownCamera& shown : shown_cameras(picture)) {
+        for (const camera::ShownCamera::LayerUse& use : shown.uses) {
+            if (use.index == layer && !use.objects.empty()) {
+                return {warning(
+                    fmt::format("layer {} of '{}' shows some objects of the scene, but a map has "
+                                "all rays of its camera",
+                                use.layer, picture.name()),
+                    use.objects.front().patterns.front().written,
+                    "give the program that traces the map the same objects")};
+            }
+        }
+    }
+    return {};
+}
+
 template <V3d (RayBatch::*vector)(std::size_t) const, int axis>
 double coordinate(const RayBatch& rays, std::size_t i) {
     return (rays.*vector)(i)[axis];
@@ -88,9 +105,12 @@ Result<RayGrid> RayGrid::make(const camera::Picture& picture, const RaySettings&
         return std::move(layers.diagnostics);
     }
     const Result<std::size_t> chosen = find_layer(picture, layers->layers(), settings.layer);
-    return chosen ? Result<RayGrid>(RayGrid(layers->layers()[*chosen], settings),
-                                    std::move(layers.diagnostics))
-                  : Result<RayGrid>(chosen.diagnostics);
+    if (!chosen) {
+        return chosen.diagnostics;
+    }
+    Diagnostics said = warn_of_objects(picture, *chosen);
+    said.insert(said.begin(), layers.diagnostics.begin(), layers.diagnostics.end());
+    return {RayGrid(layers->layers()[*chosen], settings), std::move(said)};
 }
 
 void RayGrid::run(std::size_t x, std::size_t y, std::size_t width, std::size_t height,
