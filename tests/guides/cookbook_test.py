@@ -32,7 +32,7 @@ class Cookbook(guide.GuideTest):
 
     def test_commands_write_the_pictures_of_the_page(self):
         shown = re.findall(r"\(pictures/cookbook/(.*?)\)", guide.page_text(self.PAGE))
-        written = [line.rsplit(" -o ")[-1] for line in self.outputs]
+        written = [line.rsplit(" -o ")[-1] for line in self.outputs if " -o " in line]
         self.assertEqual([name for name in written if name.endswith(".jpg")], shown)
         for name in written:
             self.assertTrue((self.folder / name).exists(), name)
@@ -41,7 +41,7 @@ class Cookbook(guide.GuideTest):
 
     def test_cameras_are_fitted(self):
         for line, said in self.outputs.items():
-            if "--quiet" not in line:
+            if line.startswith("balcony") and "--quiet" not in line:
                 self.assertIn("fitted: ", said, line)
 
 

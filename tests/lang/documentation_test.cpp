@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "small_image.hpp"
 #include "support.hpp"
 
 namespace balcony::lang::documentation_test {
@@ -34,6 +35,7 @@ std::size_t try_snippets(const std::filesystem::path& page) {
                      "  distortion_model: radtan\n  distortion_coeffs: [0, 0, 0, 0]\n"
                      "  resolution: [752, 480]\n");
         folder.write("plain.yml", "K: [620, 620, 800, 600]\nD: [0, 0, 0, 0]\n");
+        folder.write("mix.tga", test::four_greys());
         const std::string snippet = text.substr(at, text.find("```", at) - at);
         EXPECT_EQ(to_text(test::check(folder.write("snippet.cam", snippet))), "")
             << page << snippet;

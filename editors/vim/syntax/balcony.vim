@@ -10,7 +10,7 @@ syntax match balconyStatement /^\s*\zs\(map\|eye\|toward\|morph\|object\|warp\|m
 syntax match balconyStatement /\<\(above\|from\|to\)\>\ze\s\+[^= ]/
 syntax keyword balconyConstant pi t square z_up y_up
 syntax keyword balconyFunction abs acos acosh asin asinh atan atan2 atanh cos cosh exp floor
-syntax keyword balconyFunction count if is_finite keys log max min mod pow select sign sin sinh spow sqrt
+syntax keyword balconyFunction count grey if is_finite keys log max min mod pow select sign sin sinh spow sqrt
 syntax keyword balconyFunction tan tanh
 syntax match balconyNumber /\<\d\+\(\.\.\@!\d*\)\?\([eE][+-]\?\d\+\)\?\(deg\|rad\)\?\>/
 syntax match balconyNumber /\.\@<!\.\d\+\([eE][+-]\?\d\+\)\?\(deg\|rad\)\?\>/

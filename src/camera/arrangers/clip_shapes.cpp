@@ -12,6 +12,7 @@
 
 #include "camera/catalogue/families.hpp"
 #include "camera/catalogue/stage_parameters.hpp"
+#include "camera/tables/grey_table.hpp"
 
 namespace balcony::camera {
 
@@ -200,7 +201,7 @@ public:
     Expr distance(const PicturePoint& picture, Emitter& emit) const override {
         Graph& graph = emit.graph();
         const std::array free{graph.fresh_variable(), graph.fresh_variable()};
-        const Expr grey = value({{free[0], free[1]}, picture.size}, emit);
+        const Expr grey = value({{free[0], free[1]}, picture.size});
         const std::array made{0.5 - grey, expr::differentiate(grey, free[0]),
                               expr::differentiate(grey, free[1])};
         const std::array put{expr::Substitution{free[0], picture.point.x},
@@ -211,50 +212,17 @@ public:
     }
 
     Expr coverage(const PicturePoint& picture, Expr, Emitter& emit) const override {
-        return select(rectangle_distance(picture) <= 0.0, value(picture, emit), emit(0.0));
+        return select(rectangle_distance(picture) <= 0.0, value(picture), emit(0.0));
     }
 
 private:
-    // Interpolates between the pixel centres; constant beyond the outermost ones.
-    [[nodiscard]] Expr value(const PicturePoint& picture, Emitter& emit) const {
+    [[nodiscard]] Expr value(const PicturePoint& picture) const {
         const auto& [point, size] = picture;
-        const auto within = [&emit](Expr fraction, const expr::Table::Axis& axis) {
-            const double count = static_cast<double>(axis.cells) + 1.0;
-            return min(max(fraction * count - 0.5, emit(0.0)), emit(count - 1.0));
-        };
-        const std::array at{within(point.x / size.width, grey_->axes[0]),
-                            within(point.y / size.height, grey_->axes[1])};
-        return emit.graph().lookup(grey_, at);
+        return grey_at(grey_, point.x / size.width, point.y / size.height);
     }
 
     std::shared_ptr<const expr::Table> grey_;
 };
-
-// A table over the pixel centres, counted from 0 at the top left. A side of one pixel becomes
-// two equal pixels.
-std::shared_ptr<const expr::Table> grey_table(const GreyImage& image, bool invert) {
-    const auto grey = [&](std::size_t x, std::size_t y) {
-        const std::size_t column = std::min(x, image.width - 1);
-        const std::size_t row = std::min(y, image.height - 1);
-        const double value = image.values[row * image.width + column];
-        return invert ? 1.0 - value : value;
-    };
-    auto table = std::make_shared<expr::Table>();
-    for (const std::size_t pixels : {image.width, image.height}) {
-        const std::size_t cells = std::max<std::size_t>(pixels, 2) - 1;
-        table->axes.push_back({0.0, static_cast<double>(cells), cells, 1});
-    }
-    for (std::size_t x = 0; x < table->axes[0].cells; ++x) {
-        for (std::size_t y = 0; y < table->axes[1].cells; ++y) {
-            const double here = grey(x, y);
-            const double below = grey(x, y + 1) - here;
-            const double right = grey(x + 1, y) - here;
-            const double both = grey(x + 1, y + 1) - here - below - right;
-            table->coefficients.insert(table->coefficients.end(), {here, below, right, both});
-        }
-    }
-    return table;
-}
 
 StageResult make_polygon(const Arguments& a) {
     const PointList& corners = a.points("points");

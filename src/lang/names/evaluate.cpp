@@ -11,7 +11,6 @@
 
 #include "balcony/catalogue.hpp"
 #include "lang/names/function_calls.hpp"
-#include "lang/names/key_calls.hpp"
 
 namespace balcony::lang {
 
@@ -95,7 +94,7 @@ private:
 
     [[nodiscard]] bool has_parts_of_its_own(const Expression& node) const {
         return node.kind == ExpressionKind::element || calls_let(node, scope_) ||
-               calls_count(node, scope_) || calls_keys(node, scope_);
+               calls_count(node, scope_) || calls_special(node, scope_);
     }
 
     bool all_belong_to_an_expression(const std::vector<std::size_t>& order) {
@@ -161,7 +160,8 @@ private:
         const Callee callee = find_callee(node.name.text, scope_);
         return callee.offered != nullptr ? called(node, *callee.offered)
                : callee.let != nullptr   ? suitable(node, called(node, *callee.let), is_root)
-               : callee.keys ? suitable(node, evaluate_keys(tree_, node, scope_, context_), is_root)
+               : callee.special != nullptr
+                   ? suitable(node, callee.special(tree_, node, scope_, context_), is_root)
                : callee.built_in->takes_compound() ? counted(node)
                                                    : applied(node, *callee.built_in);
     }
@@ -480,7 +480,7 @@ std::optional<Value> evaluate_compound(const SyntaxTree& tree, ExpressionId id, 
         node.kind == ExpressionKind::tuple || node.kind == ExpressionKind::list ||
         node.kind == ExpressionKind::element ||
         (node.kind == ExpressionKind::name && definition != nullptr && !definition->function) ||
-        calls_let(node, scope) || calls_keys(node, scope);
+        calls_let(node, scope) || calls_special(node, scope);
     if (!may_be_compound) {
         return std::nullopt;
     }

@@ -7,6 +7,8 @@
 
 #include "lang/built_in_cameras.hpp"
 #include "lang/names/evaluate.hpp"
+#include "lang/names/grey_calls.hpp"
+#include "lang/names/key_calls.hpp"
 
 namespace balcony::lang {
 
@@ -82,7 +84,9 @@ Callee find_callee(std::string_view name, Scope& scope) {
     }
     if (found.offered == nullptr && found.let == nullptr) {
         found.built_in = find_function(name);
-        found.keys = name == keys_function;
+        found.special = name == keys_function   ? evaluate_keys
+                        : name == grey_function ? evaluate_grey
+                                                : nullptr;
     }
     return found;
 }
@@ -99,15 +103,16 @@ bool calls_count(const Expression& node, Scope& scope) {
     return callee.built_in != nullptr && callee.built_in->takes_compound();
 }
 
-bool calls_keys(const Expression& node, Scope& scope) {
-    return node.kind == ExpressionKind::call && find_callee(node.name.text, scope).keys;
+bool calls_special(const Expression& node, Scope& scope) {
+    return node.kind == ExpressionKind::call &&
+           find_callee(node.name.text, scope).special != nullptr;
 }
 
 bool check_call(const SyntaxTree& tree, const Expression& call, Scope& scope,
                 const Context& context) {
     const std::string_view name = call.name.text;
-    const auto [offered, let, built_in, keys] = find_callee(name, scope);
-    if (keys) {
+    const auto [offered, let, built_in, special] = find_callee(name, scope);
+    if (special != nullptr) {
         return true;
     }
     if (offered == nullptr && let == nullptr && built_in == nullptr) {

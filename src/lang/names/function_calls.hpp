@@ -13,7 +13,9 @@ struct Callee {
     const camera::FormulaFunction* offered = nullptr;  ///< Of the stage around a formula.
     Definition* let = nullptr;                         ///< A function that a file defines.
     const Function* built_in = nullptr;
-    bool keys = false;  ///< The function of keyframes.
+    /// One whose arguments are not all numbers: keys or grey.
+    Value (*special)(const SyntaxTree& tree, const Expression& call, Scope& scope,
+                     const Context& context) = nullptr;
 };
 
 /// Finds the function of a name. A function of a file hides a built-in one. All members are null if
@@ -25,8 +27,8 @@ struct Callee {
 /// Whether a node calls count.
 [[nodiscard]] bool calls_count(const Expression& node, Scope& scope);
 
-/// Whether a node calls the function of keyframes.
-[[nodiscard]] bool calls_keys(const Expression& node, Scope& scope);
+/// Whether a node calls a special function.
+[[nodiscard]] bool calls_special(const Expression& node, Scope& scope);
 
 /// Checks that the function of a call exists and takes its arguments. Returns false after an error,
 /// which is reported.

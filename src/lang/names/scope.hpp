@@ -22,7 +22,7 @@ struct CallWork {
     bool exceeds_limit = false;  ///< It has been reported.
 };
 
-/// The tables that expressions name in quotation marks.
+/// The tables and images that expressions name in quotation marks.
 class Tables {
 public:
     Tables() = default;
@@ -32,6 +32,9 @@ public:
     /// The table of a file that a camera file names; null after an error, which is reported.
     [[nodiscard]] virtual const data::NumberTable* table(const SyntaxTree& tree,
                                                          const Identifier& file) = 0;
+    /// The same of an image, as grey_table() makes it.
+    [[nodiscard]] virtual std::shared_ptr<const expr::Table> grey(const SyntaxTree& tree,
+                                                                  const Identifier& file) = 0;
 };
 
 /// What values are worked out with.

@@ -10,6 +10,7 @@
 
 #include "balcony/input_file.hpp"
 #include "balcony/names.hpp"
+#include "camera/tables/grey_table.hpp"
 #include "lang/built_in_cameras.hpp"
 #include "lang/names/scene_names.hpp"
 
@@ -127,16 +128,31 @@ std::optional<fs::path> Session::folder_of(const SyntaxTree& tree) const {
     return fs::path();
 }
 
-const data::NumberTable* Session::table(const SyntaxTree& tree, const Identifier& file) {
+template <auto read>
+const auto* Session::contents(const SyntaxTree& tree, const Identifier& file) {
     const SourceSpan named = tree.at(file.span);
     const Result<data::File>& found = files_.find(file.text, folder_of(tree));
     reporter_.add(found.diagnostics, named);
     if (!found) {
+        return static_cast<decltype(&*files_.contents<read>(*found))>(nullptr);
+    }
+    const auto& made = files_.contents<read>(*found);
+    reporter_.add(made.diagnostics, named);
+    return made ? &*made : nullptr;
+}
+
+const data::NumberTable* Session::table(const SyntaxTree& tree, const Identifier& file) {
+    return contents<data::read_table>(tree, file);
+}
+
+std::shared_ptr<const expr::Table> Session::grey(const SyntaxTree& tree, const Identifier& file) {
+    const auto* image = contents<data::read_grey_image>(tree, file);
+    if (image == nullptr) {
         return nullptr;
     }
-    const Result<data::NumberTable>& read = files_.contents<data::read_table>(*found);
-    reporter_.add(read.diagnostics, named);
-    return read ? &*read : nullptr;
+    std::shared_ptr<const expr::Table>& made = greys_[image->get()];
+    made = made ? made : camera::grey_table(**image);
+    return made;
 }
 
 // For a tuple or a list: a mark that is not a number, its length and its elements.

@@ -102,6 +102,8 @@ public:
     [[nodiscard]] std::vector<camera::KnownInput>& inputs() { return inputs_; }
 
     const data::NumberTable* table(const SyntaxTree& tree, const Identifier& file) override;
+    std::shared_ptr<const expr::Table> grey(const SyntaxTree& tree,
+                                            const Identifier& file) override;
 
     /// The cameras whose morphs are under construction, from the outermost.
     [[nodiscard]] std::vector<const DefinitionSyntax*>& morphs() { return morphs_; }
@@ -114,6 +116,9 @@ public:
     const SyntaxTree& keep(SyntaxTree tree);
 
 private:
+    template <auto read>
+    const auto* contents(const SyntaxTree& tree, const Identifier& file);
+
     struct Opened {
         const Module* module;
         std::string key;  // Equal for two names of the same file.
@@ -138,6 +143,7 @@ private:
     const Context context_;
     const std::optional<SceneMeasures> scene_;
     std::vector<FittedParameter> fitted_;
+    std::map<const camera::GreyImage*, std::shared_ptr<const expr::Table>> greys_;
     std::unique_ptr<Scope> constants_;
     std::map<std::string, std::unique_ptr<Module>> modules_;
     std::map<const Module*, std::unordered_map<std::string_view, LocatedDefinition>> visible_;

@@ -172,11 +172,12 @@ std::vector<std::string> function_names() {
         names.emplace_back(function.name);
     }
     names.emplace_back(keys_function);
+    names.emplace_back(grey_function);
     return names;
 }
 
 bool is_function(std::string_view name) {
-    return name == keys_function || find_function(name) != nullptr;
+    return name == keys_function || name == grey_function || find_function(name) != nullptr;
 }
 
 }  // namespace balcony::lang

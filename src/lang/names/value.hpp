@@ -68,6 +68,8 @@ struct Function {
 [[nodiscard]] const Function* find_operator(std::string_view symbol, std::size_t arity);
 /// The function of keyframes, which key_calls.hpp evaluates: keys((0, 1), (2, 5), ease = smooth).
 inline constexpr std::string_view keys_function = "keys";
+/// The function of images, which grey_calls.hpp evaluates: grey("mix.png", x, y).
+inline constexpr std::string_view grey_function = "grey";
 /// Whether a name is that of a function that every file knows, and all these names.
 [[nodiscard]] bool is_function(std::string_view name);
 [[nodiscard]] std::vector<std::string> function_names();
