@@ -50,9 +50,11 @@ TEST(StandardCameras, AllLoadWithoutDiagnostics) {
 // the superelliptic one if its seam is not in a corner.
 TEST(StandardCameras, FaceForwardUnmirrored) {
     for (const std::string name : standard_cameras) {
-        const camera::Camera camera = name == "superelliptic"
-                                          ? standard("superelliptic", {{"seam", "0deg"}})
-                                          : standard(name.c_str());
+        std::vector<Override> overrides;
+        if (name == "superelliptic") {
+            overrides.push_back({"seam", "0deg"});
+        }
+        const camera::Camera camera = standard(name.c_str(), overrides);
         const Ray middle = test::ray(camera, 100, 50, 200, 100);
         EXPECT_TRUE(middle.valid) << name;
         expect_near(middle.direction, {1, 0, 0});
