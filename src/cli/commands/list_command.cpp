@@ -13,10 +13,10 @@
 #include "balcony/lang.hpp"
 #include "balcony/names.hpp"
 #include "balcony/output_file.hpp"
+#include "camera/catalogue/stage_text.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/options/command_rows.hpp"
 #include "cli/report/stage_pages.hpp"
-#include "cli/report/stage_text.hpp"
 
 namespace balcony::cli {
 

@@ -11,7 +11,7 @@
 
 #include "balcony/catalogue.hpp"
 #include "balcony/lang.hpp"
-#include "cli/report/stage_text.hpp"
+#include "camera/catalogue/stage_text.hpp"
 
 namespace balcony::cli {
 
