@@ -14,16 +14,6 @@ namespace balcony::lang {
 
 namespace {
 
-// atan2(a, b)
-std::string call_of(std::string_view name, std::size_t arity) {
-    std::string letters;
-    for (std::size_t i = 0; i < arity; ++i) {
-        letters += i == 0 ? "" : ", ";
-        letters += static_cast<char>('a' + i % 26);
-    }
-    return fmt::format("{}({})", name, letters);
-}
-
 // A name that has a value.
 void report_value(const Identifier& name, const Value& value, const SyntaxTree& tree,
                   Reporter& reporter) {
@@ -74,6 +64,15 @@ void report_unknown(const SyntaxTree& tree, const Identifier& name, Scope& scope
 }
 
 }  // namespace
+
+std::string call_of(std::string_view name, std::size_t arity) {
+    std::string letters;
+    for (std::size_t i = 0; i < arity; ++i) {
+        letters += i == 0 ? "" : ", ";
+        letters += static_cast<char>('a' + i % 26);
+    }
+    return fmt::format("{}({})", name, letters);
+}
 
 Callee find_callee(std::string_view name, Scope& scope) {
     Callee found;

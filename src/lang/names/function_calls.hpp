@@ -35,6 +35,8 @@ struct Callee {
 [[nodiscard]] bool check_call(const SyntaxTree& tree, const Expression& call, Scope& scope,
                               const Context& context);
 
+/// How a function of the language is called: atan2(a, b).
+[[nodiscard]] std::string call_of(std::string_view name, std::size_t arity);
 /// How a function is called: ratio(x, y).
 [[nodiscard]] std::string signature(const LetFunction& function);
 

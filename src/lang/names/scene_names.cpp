@@ -107,12 +107,29 @@ void define_scene_names(const SceneMeasures& scene, Axes axes, expr::Graph& grap
                     }));
 }
 
+std::span<const std::string_view> scene_names() {
+    static constexpr std::array<std::string_view, 17> names = {"scene_min",
+                                                               "scene_max",
+                                                               "scene_center",
+                                                               "scene_size",
+                                                               "scene_inside",
+                                                               "scene_angle",
+                                                               "scene_radius",
+                                                               "scene_profile",
+                                                               "scene_profile_length",
+                                                               "scene_axis",
+                                                               "scene_axis_center",
+                                                               "scene_axis_length",
+                                                               "scene_axis_radius",
+                                                               "scene_axis_reach",
+                                                               "scene_axis_profile",
+                                                               "scene_axis_profile_length",
+                                                               "scene_arc"};
+    return names;
+}
+
 void announce_scene_names(Scope& scope) {
-    for (const std::string_view name :
-         {"scene_min", "scene_max", "scene_center", "scene_size", "scene_inside", "scene_angle",
-          "scene_radius", "scene_profile", "scene_profile_length", "scene_axis",
-          "scene_axis_center", "scene_axis_length", "scene_axis_radius", "scene_axis_reach",
-          "scene_axis_profile", "scene_axis_profile_length", "scene_arc"}) {
+    for (const std::string_view name : scene_names()) {
         scope.announce(name, "it is known in fit statements only");
     }
 }

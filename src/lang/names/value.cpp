@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <array>
+#include <numbers>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace balcony::lang {
 
@@ -151,6 +153,22 @@ std::string form_of(const Value& value) {
         case Value::Form::list: return "a list";
         default: return "a number";
     }
+}
+
+std::string value_text(const Value& value) {
+    if (value.elements) {
+        std::vector<std::string> texts;
+        for (const Element& element : *value.elements) {
+            texts.push_back(value_text(element.value));
+        }
+        const bool list = value.form == Value::Form::list;
+        return fmt::format("{}{}{}", list ? "[" : "(", fmt::join(texts, ", "), list ? "]" : ")");
+    }
+    if (!value.is_constant()) {
+        return "changes with time";
+    }
+    return value.is_angle() ? fmt::format("{:.6g}deg", value.constant() * 180.0 / std::numbers::pi)
+                            : fmt::format("{:.6g}", value.constant());
 }
 
 const Function* find_function(std::string_view name) {

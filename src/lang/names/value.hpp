@@ -49,6 +49,8 @@ struct Element {
 
 /// A description of a value: "a number", "3 numbers in parentheses", "a list".
 [[nodiscard]] std::string form_of(const Value& value);
+/// The value for people: 45deg, (1, 2), [0, 1].
+[[nodiscard]] std::string value_text(const Value& value);
 
 /// A function or an operator of the language: one or more operations of the graph.
 struct Function {

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <map>
-#include <numbers>
 #include <set>
 
 #include <fmt/format.h>
@@ -166,22 +165,6 @@ void add_steps(const Source& place, const std::vector<Statement>& statements, st
 }
 
 // --------------------------------------------------------------------------------- the whole
-
-std::string value_text(const Value& value) {
-    if (value.elements) {
-        std::vector<std::string> texts;
-        for (const Element& element : *value.elements) {
-            texts.push_back(value_text(element.value));
-        }
-        const bool list = value.form == Value::Form::list;
-        return fmt::format("{}{}{}", list ? "[" : "(", fmt::join(texts, ", "), list ? "]" : ")");
-    }
-    if (!value.is_constant()) {
-        return "changes with time";
-    }
-    return value.is_angle() ? fmt::format("{:.6g}deg", value.constant() * 180.0 / std::numbers::pi)
-                            : fmt::format("{:.6g}", value.constant());
-}
 
 // The lets of a camera or picture, and those of its file that it uses, in the order of the file.
 std::vector<std::string> definitions_of(const SyntaxTree& tree, const DefinitionSyntax& of) {
