@@ -2,11 +2,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs every command line that the README, docs/ and the help show."""
 
+import json
 import re
 import shlex
 import shutil
 import signal
 import struct
+import subprocess
 
 import support
 
@@ -71,7 +73,9 @@ class Documentation(support.CommandTest):
                     continue
                 if words[0] == "animate" or (words[0] == "draw" and "--frames" in words):
                     small += self.short_film(words)
-                if "--watch" in words:
+                if words[0] == "lsp":
+                    self.serve(*words)
+                elif "--watch" in words:
                     self.watch(*words, *small)
                 else:
                     self.run_command(*words, *small)
@@ -89,6 +93,17 @@ class Documentation(support.CommandTest):
                 if b"watching" in line:
                     process.send_signal(signal.SIGINT)
             self.assertEqual(process.wait(timeout=60), 130)
+
+    def serve(self, *words):
+        """An editor says what it must say, and that is all."""
+        said = b""
+        for number, method in ((1, "initialize"), (2, "shutdown"), (None, "exit")):
+            message = {"jsonrpc": "2.0", "method": method, **({"id": number} if number else {})}
+            text = json.dumps(message).encode()
+            said += b"Content-Length: %d\r\n\r\n%s" % (len(text), text)
+        with self.start(*words, stdin=subprocess.PIPE) as process:
+            process.communicate(said, timeout=60)
+        self.assertEqual(process.returncode, 0)
 
     def test_pages(self):
         pages = [support.REPOSITORY / "README.md", *(support.REPOSITORY / "docs").glob("*.md")]

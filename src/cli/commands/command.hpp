@@ -79,6 +79,7 @@ private:
     ROW(check)                \
     ROW(explain)              \
     ROW(fmt)                  \
+    ROW(lsp)                  \
     ROW(list)                 \
     ROW(locate)               \
     ROW(solve)                \
