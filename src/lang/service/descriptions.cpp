@@ -75,8 +75,9 @@ std::string_view first_line(std::string_view text) {
 std::string function_signature(std::string_view name) {
     const Function* function = find_function(name);
     if (function == nullptr) {
-        return name == keys_function ? "keys((time, value), ..., ease = linear)"
-                                     : std::string(name);
+        return name == keys_function   ? "keys((time, value), ..., ease = linear)"
+               : name == grey_function ? "grey(\"image.png\", x, y)"
+                                       : std::string(name);
     }
     return call_of(name, function->arity);
 }
