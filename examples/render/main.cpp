@@ -89,18 +89,16 @@ int follow_camera(const app::Request& request) {
         return fail(prepared.diagnostics);
     }
     std::promise<void> rests;
-    const live::Observer observer{.frame =
-                                      [](const live::Frame& frame) {
-                                          std::printf("%zu x %zu, %zu samples\n", frame.width,
-                                                      frame.height, frame.samples);
-                                      },
-                                  .rest =
-                                      [&rests](std::uint64_t change) {
-                                          if (change == 2) {
-                                              rests.set_value();
-                                          }
-                                      }};
-    const auto view = live::View::make(std::move(*prepared), request, observer);
+    const auto show = [](const live::Frame& frame) {
+        std::printf("%zu x %zu, %zu samples\n", frame.width, frame.height, frame.samples);
+    };
+    const auto rest = [&rests](std::uint64_t change) {
+        if (change == 2) {
+            rests.set_value();
+        }
+    };
+    const auto view =
+        live::View::make(std::move(*prepared), request, {.frame = show, .rest = rest});
     view->change({.text = "camera seen(turn = 0deg) { map u = 1 .. -1, v = square\n"
                           "eye point(0, 0, 0) toward surface(u, v) = [1, u, v]\n"
                           "move rotate(z, turn) }",
