@@ -20,21 +20,20 @@ constexpr double relative_step = 1e-4;
 struct Sides {
     double below, above;
 
-    Sides(const Unknown& unknown, double value) {
+    Sides(const camera::Range& range, double value) {
         const double step = relative_step * std::max(std::abs(value), 1.0);
-        const camera::Range& range = unknown.range;
         above = std::min(value + step, range.maximum);
-        below = value - step;
-        if (below < range.minimum || (range.excludes_minimum && below <= range.minimum)) {
-            below = value;
+        below = std::max(value - step, range.minimum);
+        if (range.excludes_minimum && below <= range.minimum) {
+            below = 0.5 * (range.minimum + value);
         }
     }
 };
 
-void add_change(const InputRay& above, const InputRay& below, double width, InputRay& ray) {
-    ray.ray.valid = ray.ray.valid && above.ray.valid && below.ray.valid;
-    ray.by_input.push_back({(above.ray.origin - below.ray.origin) / width,
-                            (above.ray.direction - below.ray.direction) / width});
+// What changes by the width; nothing does in a range of one number.
+template <class Value>
+Value slope(const Value& below, const Value& above, double width) {
+    return width > 0.0 ? (above - below) / width : Value(0.0);
 }
 
 }  // namespace
@@ -109,6 +108,33 @@ std::shared_ptr<const InputRays> CameraRays::kept(const std::vector<double>& clo
     return cameras_.emplace(closed, made_of(closed).value.value_or(nullptr)).first->second;
 }
 
+// The numbers that a camera is made of, with one of them on both sides of its value.
+struct CameraRays::Beside {
+    std::vector<double> below, above;
+    double width;  // From one to the other.
+};
+
+// Calls open(k) for number k of the unknowns with an input, and closed(beside) for the others, in
+// the order of all unknowns.
+template <class Open, class Closed>
+void CameraRays::for_each_unknown(const Split& numbers, const Open& open,
+                                  const Closed& closed) const {
+    std::size_t next_open = 0;
+    std::size_t next_closed = 0;
+    for (const Unknown& unknown : problem_->unknowns) {
+        if (!unknown.input.empty()) {
+            open(next_open++);
+            continue;
+        }
+        const std::size_t k = next_closed++;
+        const Sides sides(unknown.range, numbers.closed[k]);
+        Beside beside{numbers.closed, numbers.closed, sides.above - sides.below};
+        beside.below[k] = sides.below;
+        beside.above[k] = sides.above;
+        closed(beside);
+    }
+}
+
 std::vector<InputRay> CameraRays::at(std::span<const V2d> points, std::span<const double> values,
                                      bool by_unknown) const {
     const Split numbers = split(values);
@@ -125,31 +151,24 @@ std::vector<InputRay> CameraRays::at(std::span<const V2d> points, std::span<cons
     for (InputRay& ray : made) {
         ray.by_input.clear();
     }
-    std::size_t next_open = 0;
-    std::size_t next_closed = 0;
-    for (const Unknown& unknown : problem_->unknowns) {
-        if (!unknown.input.empty()) {
-            for (std::size_t i = 0; i < made.size(); ++i) {
-                if (middle[i].ray.valid) {
-                    made[i].by_input.push_back(middle[i].by_input[next_open]);
-                }
-            }
-            ++next_open;
-            continue;
-        }
-        const std::size_t k = next_closed++;
-        const Sides sides(unknown, numbers.closed[k]);
-        const auto beside = [&](double value) {
-            std::vector<double> closed = numbers.closed;
-            closed[k] = value;
-            return rays_of(closed, false);
-        };
-        const std::vector<InputRay> above = beside(sides.above);
-        const std::vector<InputRay> below = beside(sides.below);
+    const auto open = [&](std::size_t k) {
         for (std::size_t i = 0; i < made.size(); ++i) {
-            add_change(above[i], below[i], sides.above - sides.below, made[i]);
+            if (middle[i].ray.valid) {
+                made[i].by_input.push_back(middle[i].by_input[k]);
+            }
         }
-    }
+    };
+    for_each_unknown(numbers, open, [&](const Beside& beside) {
+        const std::vector<InputRay> below = rays_of(beside.below, false);
+        const std::vector<InputRay> above = rays_of(beside.above, false);
+        for (std::size_t i = 0; i < made.size(); ++i) {
+            const rays::Ray& before = below[i].ray;
+            const rays::Ray& after = above[i].ray;
+            made[i].ray.valid = made[i].ray.valid && after.valid && before.valid;
+            made[i].by_input.push_back({slope(before.origin, after.origin, beside.width),
+                                        slope(before.direction, after.direction, beside.width)});
+        }
+    });
     return made;
 }
 
@@ -169,28 +188,24 @@ std::vector<ShapeValues> CameraRays::shapes(std::span<const double> values) cons
             by_input.clear();
         }
     }
-    std::size_t next_open = 0;
-    std::size_t next_closed = 0;
-    for (const Unknown& unknown : problem_->unknowns) {
-        const bool is_open = !unknown.input.empty();
-        const std::size_t k = is_open ? next_open++ : next_closed++;
-        const Sides sides(unknown, is_open ? 0.0 : numbers.closed[k]);
-        const auto beside = [&](double value) {
-            std::vector<double> closed = numbers.closed;
-            closed[k] = value;
-            return shapes_of(closed);
-        };
-        const std::vector<ShapeValues> above = is_open ? middle : beside(sides.above);
-        const std::vector<ShapeValues> below = is_open ? middle : beside(sides.below);
-        for (std::size_t s = 0; s < made.size(); ++s) {
-            made[s].valid = made[s].valid && above[s].valid && below[s].valid;
-            for (std::size_t r = 0; made[s].valid && r < made[s].values.size(); ++r) {
-                made[s].by_input[r].push_back(is_open ? middle[s].by_input[r][k]
-                                                      : (above[s].values[r] - below[s].values[r]) /
-                                                            (sides.above - sides.below));
+    const auto open = [&](std::size_t k) {
+        for (std::size_t i = 0; i < made.size(); ++i) {
+            for (std::size_t r = 0; made[i].valid && r < made[i].values.size(); ++r) {
+                made[i].by_input[r].push_back(middle[i].by_input[r][k]);
             }
         }
-    }
+    };
+    for_each_unknown(numbers, open, [&](const Beside& beside) {
+        const std::vector<ShapeValues> below = shapes_of(beside.below);
+        const std::vector<ShapeValues> above = shapes_of(beside.above);
+        for (std::size_t i = 0; i < made.size(); ++i) {
+            made[i].valid = made[i].valid && above[i].valid && below[i].valid;
+            for (std::size_t r = 0; made[i].valid && r < made[i].values.size(); ++r) {
+                made[i].by_input[r].push_back(
+                    slope(below[i].values[r], above[i].values[r], beside.width));
+            }
+        }
+    });
     return made;
 }
 

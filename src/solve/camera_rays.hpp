@@ -31,6 +31,9 @@ private:
                const std::stop_token& stop);
     struct Split;
     [[nodiscard]] Split split(std::span<const double> values) const;
+    struct Beside;
+    template <class Open, class Closed>
+    void for_each_unknown(const Split& numbers, const Open& open, const Closed& closed) const;
     [[nodiscard]] Result<std::shared_ptr<const InputRays>> made_of(
         const std::vector<double>& closed) const;
     [[nodiscard]] std::shared_ptr<const InputRays> kept(const std::vector<double>& closed) const;

@@ -64,4 +64,35 @@ TEST(System, HasTheDerivativesOfItsResiduals) {
     }
 }
 
+// A number that cameras are made of, at either end of a range that is narrower than the step of a
+// difference, or one number. The half width of the picture is tan(fov/2) times the distance.
+TEST(CameraRays, DifferencesStayWithinNarrowRanges) {
+    const CameraMaker make = [](std::span<const double> closed) -> Result<camera::Camera> {
+        const auto camera = lang::Workspace().make_open_camera(
+            "pinhole", "", {{"fov", lang::literal(closed[0], true)}}, {{"yaw"}});
+        return camera ? Result<camera::Camera>(camera->camera) : camera.diagnostics;
+    };
+    constexpr double fov = 1.0;
+    constexpr double narrow = 1e-5;
+    const V2d edge(0.0, 0.5 * height);
+    for (const camera::Range& range :
+         {camera::Range{fov - narrow, fov}, camera::Range{fov, fov + narrow},
+          camera::Range{fov - narrow, fov, true}, camera::Range{fov, fov}}) {
+        Problem problem;
+        problem.unknowns = {{"", fov, range, {}, "fov"},
+                            {lang::parameter_input("yaw"), 0.0, {}, {}, "yaw"}};
+        const auto rays = CameraRays::make(make, V2d(width, height), problem, {});
+        ASSERT_TRUE(rays) << to_text(rays.diagnostics);
+        const std::vector<InputRay> found = rays->at(std::array{edge}, std::array{fov, 0.0}, true);
+        ASSERT_TRUE(found[0].ray.valid);
+        ASSERT_EQ(found[0].by_input.size(), 2U);
+        // The edge of the picture is at the angle fov/2 to the left; yaw turns it as it is.
+        const V3d by_yaw(-std::sin(fov / 2), std::cos(fov / 2), 0.0);
+        const V3d by_fov = range.minimum < range.maximum ? 0.5 * by_yaw : V3d(0.0);
+        // A difference to one side is off by half of its width times the second derivative, 1/4.
+        EXPECT_LT((found[0].by_input[0].direction - by_fov).length(), narrow / 7) << range.minimum;
+        EXPECT_LT((found[0].by_input[1].direction - by_yaw).length(), 1e-12);
+    }
+}
+
 }  // namespace balcony::solve::system_test
