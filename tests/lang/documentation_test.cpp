@@ -73,7 +73,7 @@ TEST(Documentation, ListingsOfCppAreTheExamples) {
         EXPECT_NE(programs.find(snippet), std::string::npos) << snippet;
         ++count;
     }
-    EXPECT_EQ(count, 10U);
+    EXPECT_EQ(count, 11U);
     EXPECT_NE(page.find(rays.substr(rays.find("#include"))), std::string::npos);
     EXPECT_NE(page.find(test::read_file(root / "examples/rays/CMakeLists.txt")), std::string::npos);
 }
