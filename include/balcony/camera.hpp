@@ -63,6 +63,8 @@ struct RayExpressions {
     std::optional<LensExpressions> lens{};
     /// When the ray meets the scene, if that is not at time t; finite where valid.
     std::optional<Expr> time{};
+    /// As LensRay::blocked. Only of a ray through_lens().
+    std::optional<Expr> blocked{};
     /// Of a ray that is bent; origin and direction are then those of its first straight part.
     std::optional<BendExpressions> bend{};
 };

@@ -18,6 +18,8 @@ struct RayRoots {
     static constexpr std::size_t origin = 0;
     static constexpr std::size_t direction = 3;
     static constexpr std::size_t valid = 6;
+    /// What `valid` is where a lens lets no light through; otherwise it is 1 or 0.
+    static constexpr double is_blocked = -1.0;
     static constexpr std::size_t end_of_ray = 7;
     // With footprints, the derivatives with respect to picture x and y follow.
     static constexpr std::size_t origin_by_x = 7;

@@ -78,6 +78,10 @@ public:
     [[nodiscard]] bool has_times() const { return roots_.times; }
 
     [[nodiscard]] bool valid(std::size_t i) const { return values_[RayRoots::valid][i] == 1.0; }
+    /// Whether there is no ray because a lens lets no light through: the picture is dark there.
+    [[nodiscard]] bool blocked(std::size_t i) const {
+        return values_[RayRoots::valid][i] == RayRoots::is_blocked;
+    }
     [[nodiscard]] V3d origin(std::size_t i) const { return vector(RayRoots::origin, i); }
     [[nodiscard]] V3d direction(std::size_t i) const { return vector(RayRoots::direction, i); }
     [[nodiscard]] V2d parameters(std::size_t i) const {

@@ -205,6 +205,7 @@ using ProgressCallback = std::function<void(const Progress&)>;
 struct RayCounts {
     std::uint64_t camera_rays = 0;   ///< Visible points of the layer, with a ray or not.
     std::uint64_t invalid_rays = 0;  ///< Of these, points where the camera has no ray.
+    std::uint64_t blocked_rays = 0;  ///< Not of those: points where a lens lets no light through.
     std::uint64_t hits = 0;          ///< Rays that meet a surface.
     double light = 0.0;              ///< The sum of their luminances.
     double softened_light = 0.0;     ///< Of that, what PathSettings::exact would show sharp.
@@ -216,12 +217,17 @@ struct RayCounts {
     void add(const RayCounts& other) {
         camera_rays += other.camera_rays;
         invalid_rays += other.invalid_rays;
+        blocked_rays += other.blocked_rays;
         hits += other.hits;
         light += other.light;
         softened_light += other.softened_light;
         light_left_out += other.light_left_out;
         emitted_light += other.emitted_light;
         bounces_cut += other.bounces_cut;
+    }
+    /// Points with a ray that is traced.
+    [[nodiscard]] std::uint64_t traced_rays() const {
+        return camera_rays - invalid_rays - blocked_rays;
     }
     /// The part of the light that mirrors and glass have softened.
     [[nodiscard]] double softened_share() const {

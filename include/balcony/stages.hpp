@@ -8,8 +8,10 @@
 //     picture arranger ─▶ picture mapper ─▶ parameter transformers ─▶ object generator
 //                                             ─▶ object transformers ─▶ direction rule ─▶ ray
 
+#include <array>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -147,6 +149,11 @@ struct CentralRay {
     ObjectVector direction;     ///< Unit length.
     ParameterPoint parameters;  ///< (u, v) of the eye object.
     PicturePoint picture;       ///< Of the camera's own picture.
+
+    /// All of it as a list in this order, the point of the picture before its size.
+    using Values = std::array<Expr, 12>;
+    [[nodiscard]] Values values() const;
+    [[nodiscard]] static CentralRay of(std::span<const Expr> values);
 };
 
 /// The central ray in the middle of the picture, which does not depend on the point of the picture.
@@ -192,6 +199,9 @@ struct LensRay {
     ObjectVector direction;  ///< Of any length except 0.
     Expr inverse_length;     ///< 1 divided by its length.
     Expr valid;              ///< 1 where there is a ray with finite values, otherwise 0.
+    /// 1 where the lens lets no light through, so that the picture is dark there. No ray is valid
+    /// there, but not every ray that is not valid is blocked.
+    std::optional<Expr> blocked{};
 };
 
 /// What a lens makes of a central ray.

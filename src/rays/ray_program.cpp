@@ -32,6 +32,10 @@ Result<RayProgram> RayProgram::make(const camera::RayExpressions& ray, Axes axes
                       declares(options, camera::lens_input_y);
     std::vector<expr::Expr> roots =
         ray_roots(ray, lens, options.footprints, axes_of_ray, options.axes.value_or(axes_of_ray));
+    if (const auto blocked = lens ? camera::through_lens(ray).blocked : std::nullopt) {
+        expr::Expr& valid = roots[RayRoots::valid];
+        valid = select(*blocked, valid.graph().constant(RayRoots::is_blocked), valid);
+    }
     if (ray.time) {
         roots.push_back(*ray.time);
     }

@@ -56,9 +56,14 @@ public:
     [[nodiscard]] Ray operator()(const V2d& point, const V2d& lens) const {
         const std::array<std::span<const double>, 2> inputs{std::span(&lens.x, 1),
                                                             std::span(&lens.y, 1)};
-        return run(lens_, point, inputs);
+        return run(lens_, point, inputs)[0];
     }
-    [[nodiscard]] Ray central(const V2d& point) const { return run(central_, point, {}); }
+    [[nodiscard]] bool blocked(const V2d& point, const V2d& lens) const {
+        const std::array<std::span<const double>, 2> inputs{std::span(&lens.x, 1),
+                                                            std::span(&lens.y, 1)};
+        return run(lens_, point, inputs).blocked(0);
+    }
+    [[nodiscard]] Ray central(const V2d& point) const { return run(central_, point, {})[0]; }
 
 private:
     static RayProgram compiled(const camera::Camera& camera, std::vector<Input> inputs) {
@@ -67,12 +72,12 @@ private:
         EXPECT_TRUE(made) << to_text(made.diagnostics);
         return *made;
     }
-    static Ray run(const RayProgram& program, const V2d& point, program::InputValues inputs) {
+    static RayBatch run(const RayProgram& program, const V2d& point, program::InputValues inputs) {
         Scratch scratch;
         RayBatch batch;
         program.run(Points{std::span(&point.x, 1), std::span(&point.y, 1), 0.0, inputs}, scratch,
                     batch);
-        return batch[0];
+        return batch;
     }
 
     RayProgram lens_, central_;
@@ -307,6 +312,29 @@ TEST(PrescribedLens, HasExactVignetting) {
         EXPECT_NEAR(by_samples(points[k]) / middle, wanted, deviation + 0.01) << k;
         EXPECT_LT(wanted, 0.85) << k;
     }
+}
+
+// Where the lens takes the light of a point there is no ray, but the picture is there, and dark.
+TEST(PrescribedLens, TellsBlockedLightFromPointsWithoutARay) {
+    const LensRaysAt rays(camera_text("petzval.dat", ", focus = 1e12"));
+    int blocked = 0;
+    at_points([&](const V2d& point) {
+        at_lens([&](const V2d& at) {
+            EXPECT_NE(rays(point, at).valid, rays.blocked(point, at)) << point << at;
+            blocked += rays.blocked(point, at) ? 1 : 0;
+        });
+    });
+    EXPECT_GT(blocked, 50);
+    EXPECT_TRUE(rays.blocked({-3000.0, 200.0}, {0.0, 0.0}));  // Far outside of the image circle.
+
+    // A picture whose lower part has no points.
+    const LensRaysAt half(
+        "camera a { aspect 1  map u = 0.2 .. -0.2, v = square  eye point  toward surface(u, v) = "
+        "[1, u, v + 1e-9*sqrt(v + 0.1)]  look absolute  lens table(\"petzval.dat\", focus = "
+        "1e12, unit = 1) }");
+    EXPECT_TRUE(half({200.0, 150.0}, {0.0, 0.0}).valid);
+    EXPECT_FALSE(half({200.0, 399.0}, {0.0, 0.0}).valid);
+    EXPECT_FALSE(half.blocked({200.0, 399.0}, {0.0, 0.0}));
 }
 
 TEST(PrescribedLens, NarrowsItsStop) {

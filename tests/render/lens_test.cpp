@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "balcony/lang.hpp"
 #include "balcony/make_stage.hpp"
 #include "support.hpp"
 
@@ -140,6 +141,41 @@ TEST(LensPicture, IsFocusedOnAHiddenObjectByItsMiddle) {
     const auto picture = light(render(scene, with_lens(pinhole(), 1.0, on("object 1")), wanted));
     const auto at_6 = light(render(scene, with_lens(pinhole(), 1.0, flat(6.0)), wanted));
     EXPECT_NEAR(spot(picture).radius, spot(at_6).radius, 0.01);
+}
+
+// Everything is lit alike, so a sample shows 1 or, where the mount takes its light, 0: a dark
+// corner, and not a hole in the picture.
+TEST(LensPicture, IsDarkWhereALensOfGlassBlocksTheLight) {
+    const auto text = std::make_shared<const SourceText>(
+        "lens.cam",
+        "camera a { aspect 1  map u = 0.5 .. -0.5, v = square  eye point  toward plane((1, 0, 0)) "
+        "look absolute  lens table(\"petzval.dat\", unit = 1, focus = 3000) }");
+    const Result<camera::Camera> through = lang::make_camera(text, "");
+    ASSERT_TRUE(through) << to_text(through.diagnostics);
+    scene::Scene scene;
+    scene::Material lit = white();
+    lit.base_color = scene::Color3f(0.0F);
+    lit.emission = scene::Color3f(1.0F);
+    add(scene,
+        parallelogram({3000.0F, 9000.0F, -9000.0F}, {0.0F, -18000.0F, 0.0F},
+                      {0.0F, 0.0F, 18000.0F}),
+        lit);
+    for (const char* integrator : {"direct", "path"}) {
+        const Rendered made = render(scene, *through, request(size, size, integrator, 16));
+        const RayCounts& counts = made.summary.layers[0];
+        EXPECT_EQ(counts.camera_rays, size * size * 16) << integrator;
+        EXPECT_EQ(counts.invalid_rays, 0U) << integrator;
+        EXPECT_EQ(counts.hits + counts.blocked_rays, counts.camera_rays) << integrator;
+        double sum = 0.0;
+        for (const auto& pixel : made.film.sum) {
+            EXPECT_EQ(pixel.a, 16.0F);
+            sum += static_cast<double>(pixel.g);
+        }
+        // Of four samples at the border of a lamp, the mean is shown and one is counted.
+        EXPECT_NEAR(sum, static_cast<double>(counts.hits), 0.01 * sum) << integrator;
+        EXPECT_EQ(made.film.sum.front().g, 0.0F) << integrator;
+        EXPECT_GT(made.film.sum[(size / 2) * size + size / 2].g, 4.0F) << integrator;
+    }
 }
 
 TEST(LensPicture, OfAnUnknownObjectIsAnError) {

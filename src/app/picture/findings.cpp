@@ -118,8 +118,7 @@ void describe_miss(Report& report, const Loaded& loaded, const camera::ShownCame
     constexpr double many = 10.0;  // So many times as many rays are worth a word.
     const render::Summary& summary = report.summary;
     const render::Summary::Layer& layer = summary.layers[index];
-    const double share = static_cast<double>(layer.hits) /
-                         static_cast<double>(layer.camera_rays - layer.invalid_rays);
+    const double share = static_cast<double>(layer.hits) / static_cast<double>(layer.traced_rays());
     Result<render::Miss> miss = render::explain_miss(
         *loaded.renderer, shown.camera,
         {.width = size.first, .height = size.second, .time = loaded.settings.time});
@@ -214,13 +213,13 @@ void describe_sight(Report& report, const Loaded& loaded, const camera::Picture&
             const Result<render::Probe> probe =
                 render::probe(*loaded.renderer, shown.camera, settings, {}, stop);
             const render::Summary::Layer& layer = report.summary.layers[use.index];
-            if (layer.camera_rays == layer.invalid_rays) {
+            if (layer.traced_rays() == 0) {
                 continue;
             }
             if (!use.objects.empty()) {
                 describe_objects(report, layer);
             } else if (static_cast<double>(layer.hits) <
-                       few * static_cast<double>(layer.camera_rays - layer.invalid_rays)) {
+                       few * static_cast<double>(layer.traced_rays())) {
                 describe_miss(report, loaded, shown, use.index, size);
             }
             if (probe) {

@@ -39,18 +39,11 @@ public:
 
 private:
     [[nodiscard]] ObjectPoint point(const CentralRay& ray, Expr s, Emitter& emit) const {
-        const auto& [o, d, p, picture] = ray;
-        const std::array all{s,
-                             o.x,
-                             o.y,
-                             o.z,
-                             d.x,
-                             d.y,
-                             d.z,
-                             p.u,
-                             p.v,
-                             picture.point.x / picture.size.width,
-                             picture.point.y / picture.size.height};
+        const CentralRay::Values values = ray.values();
+        const auto& [at, size] = ray.picture;
+        std::vector<Expr> all{s};
+        all.insert(all.end(), values.begin(), values.begin() + 8);
+        all.insert(all.end(), {at.x / size.width, at.y / size.height});
         const std::vector<Expr> xyz =
             point_.emit(emit.graph(), std::span(all).first(point_.parameter_count()));
         return {xyz[0], xyz[1], xyz[2]};

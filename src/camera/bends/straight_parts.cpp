@@ -22,21 +22,7 @@ using Imath::V3d;
 using Polyline = std::vector<V3d>;
 
 CentralRay copied(const CentralRay& ray, Graph& graph) {
-    const auto& [o, d, p, picture] = ray;
-    const std::array values{o.x,
-                            o.y,
-                            o.z,
-                            d.x,
-                            d.y,
-                            d.z,
-                            p.u,
-                            p.v,
-                            picture.point.x,
-                            picture.point.y,
-                            picture.size.width,
-                            picture.size.height};
-    const std::vector<Expr> r = expr::substitute(graph, values, {});
-    return {{r[0], r[1], r[2]}, {r[3], r[4], r[5]}, {r[6], r[7]}, {{r[8], r[9]}, {r[10], r[11]}}};
+    return CentralRay::of(expr::substitute(graph, ray.values(), {}));
 }
 
 /// The points of a grid over the picture that almost reaches its borders.

@@ -79,11 +79,15 @@ public:
         const std::array<Expr, 2> sensor{-(scale * frame.tangent.x), -(scale * frame.tangent.y)};
         const std::array<Expr, 2> p{sensor[0] / depth, sensor[1] / depth};
         const Expr square_of_p = p[0] * p[0] + p[1] * p[1];
-        emit.require(square_of_p <= pupil->largest_square);
+        const Expr lit = square_of_p <= pupil->largest_square;
         const Expr g = emit.graph().lookup(std::make_shared<const expr::Table>(pupil->middle),
                                            min(square_of_p, emit(pupil->largest_square)));
         const auto ray = [&](const Expr& m, const Expr& n) {
-            return through(frame, central.origin, at, sensor, {m - g * p[0], n - g * p[1]}, emit);
+            LensRay made =
+                through(frame, central.origin, at, sensor, {m - g * p[0], n - g * p[1]}, emit);
+            made.valid = lit && made.valid;
+            made.blocked = !made.valid;
+            return made;
         };
         const PolarPoint on = on_disc(square, emit);
         const Expr radius = pupil->radius / depth * on.radius;

@@ -36,8 +36,11 @@ std::vector<Expr> values_of(const RayExpressions& ray) {
                              ray.direction.x, ray.direction.y,  ray.direction.z,
                              ray.valid,       ray.parameters.u, ray.parameters.v};
     if (ray.lens) {
-        const auto& [o, d, inverse_length, valid] = ray.lens->ray;
+        const auto& [o, d, inverse_length, valid, blocked] = ray.lens->ray;
         values.insert(values.end(), {o.x, o.y, o.z, d.x, d.y, d.z, inverse_length, valid});
+        if (blocked) {
+            values.push_back(*blocked);
+        }
         for (const expr::Substitution& one : ray.lens->fixed) {
             values.push_back(one.replacement);
         }
@@ -55,23 +58,48 @@ std::vector<Expr> values_of(const RayExpressions& ray) {
     return values;
 }
 
+/// Takes values out of a list in its order.
+class ValueReader {
+public:
+    explicit ValueReader(std::span<const Expr> values) : values_(values) {}
+
+    Expr number() {
+        const Expr first = values_.front();
+        values_ = values_.subspan(1);
+        return first;
+    }
+    /// A point or a vector.
+    template <class Vector>
+    void read(Vector& into) {
+        into = {values_[0], values_[1], values_[2]};
+        values_ = values_.subspan(3);
+    }
+
+private:
+    std::span<const Expr> values_;
+};
+
 }  // namespace
 
 std::string distance_input(std::string_view object) {
     return fmt::format("distance of \"{}\"", object);
 }
 
+CentralRay::Values CentralRay::values() const {
+    const auto& [o, d, p, at] = *this;
+    return {o.x, o.y, o.z,        d.x,        d.y,           d.z,
+            p.u, p.v, at.point.x, at.point.y, at.size.width, at.size.height};
+}
+
+CentralRay CentralRay::of(std::span<const Expr> v) {
+    return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {v[6], v[7]}, {{v[8], v[9]}, {v[10], v[11]}}};
+}
+
 CentralRay middle_of(const CentralRay& ray) {
     const PicturePoint& picture = ray.picture;
     const std::array put{expr::Substitution{picture.point.x, 0.5 * picture.size.width},
                          expr::Substitution{picture.point.y, 0.5 * picture.size.height}};
-    const std::array values{ray.origin.x,    ray.origin.y,    ray.origin.z,     ray.direction.x,
-                            ray.direction.y, ray.direction.z, ray.parameters.u, ray.parameters.v};
-    const std::vector<Expr> r = expr::substitute(picture.size.width.graph(), values, put);
-    return {{r[0], r[1], r[2]},
-            {r[3], r[4], r[5]},
-            {r[6], r[7]},
-            {{put[0].replacement, put[1].replacement}, picture.size}};
+    return CentralRay::of(expr::substitute(picture.size.width.graph(), ray.values(), put));
 }
 
 RayExpressions substitute(Graph& target, const RayExpressions& ray,
@@ -84,24 +112,34 @@ RayExpressions substitute(Graph& target, const RayExpressions& ray,
             all.push_back({one.leaf, fixed.back().leaf});
         }
     }
-    const std::vector<Expr> r = expr::substitute(target, values_of(ray), all);
-    RayExpressions made{{r[0], r[1], r[2]}, {r[3], r[4], r[5]}, r[6], {r[7], r[8]}, {}, {}, {}};
-    std::size_t next = 9;
-    if (ray.lens) {
-        for (std::size_t i = 0; i < fixed.size(); ++i) {
-            fixed[i].replacement = r[17 + i];
+    const std::vector<Expr> values = expr::substitute(target, values_of(ray), all);
+    ValueReader next(values);
+    RayExpressions made = ray;
+    next.read(made.origin);
+    next.read(made.direction);
+    made.valid = next.number();
+    made.parameters = {next.number(), next.number()};
+    if (made.lens) {
+        LensRay& through = made.lens->ray;
+        next.read(through.origin);
+        next.read(through.direction);
+        through.inverse_length = next.number();
+        through.valid = next.number();
+        if (through.blocked) {
+            through.blocked = next.number();
         }
-        made.lens = LensExpressions{{{r[9], r[10], r[11]}, {r[12], r[13], r[14]}, r[15], r[16]},
-                                    std::move(fixed)};
-        next = 17 + ray.lens->fixed.size();
+        for (expr::Substitution& one : fixed) {
+            one.replacement = next.number();
+        }
+        made.lens->fixed = std::move(fixed);
     }
-    if (ray.time) {
-        made.time = r[next++];
+    if (made.time) {
+        made.time = next.number();
     }
-    if (ray.bend) {
-        made.bend = BendExpressions{{}, {r[next], r[next + 1], r[next + 2]}};
-        for (next += 3; next < r.size(); next += 3) {
-            made.bend->knots.push_back({r[next], r[next + 1], r[next + 2]});
+    if (made.bend) {
+        next.read(made.bend->direction);
+        for (ObjectPoint& knot : made.bend->knots) {
+            next.read(knot);
         }
     }
     return made;
@@ -262,7 +300,11 @@ RayExpressions with_lens(const RayExpressions& ray, const Lens& lens, const Pict
     RayExpressions made = ray;
     if (!lens.is_pinhole()) {
         made.lens = LensExpressions{rays.ray, rays.fixed};
-        made.lens->ray.valid = ray.valid && emit.valid() && rays.ray.valid;
+        const Expr there = ray.valid && emit.valid();
+        made.lens->ray.valid = there && rays.ray.valid;
+        if (rays.ray.blocked) {
+            made.lens->ray.blocked = there && *rays.ray.blocked;
+        }
     }
     if (rays.middle) {
         made.origin = rays.middle->origin;
@@ -301,21 +343,25 @@ ObjectVector vector_at(std::span<const Expr> values, std::size_t first) {
 }  // namespace
 
 RayExpressions through_lens(const RayExpressions& ray) {
-    const auto& [o, d, inverse_length, valid] = ray.lens->ray;
+    const auto& [o, d, inverse_length, valid, blocked] = ray.lens->ray;
     const std::vector<Expr> values = expr::substitute(
-        o.x.graph(), std::array{o.x, o.y, o.z, d.x, d.y, d.z, inverse_length, valid},
+        o.x.graph(),
+        std::array{o.x, o.y, o.z, d.x, d.y, d.z, inverse_length, valid, blocked.value_or(valid)},
         ray.lens->fixed);
     RayExpressions made = ray;
     made.origin = {values[0], values[1], values[2]};
     made.direction = values[6] * vector_at(values, 3);
     made.valid = values[7];
+    if (blocked) {
+        made.blocked = values[8];
+    }
     made.lens.reset();
     return made;
 }
 
 // Of w/|w|: the part across of the derivative of w, divided by |w|.
 RayFootprint footprint_through_lens(const RayExpressions& ray) {
-    const auto& [o, d, inverse_length, valid] = ray.lens->ray;
+    const auto& [o, d, inverse_length, valid, blocked] = ray.lens->ray;
     Graph& graph = o.x.graph();
     const Slopes slopes = slopes_by_picture({ray.parameters.u, ray.parameters.v},
                                             std::array{o.x, o.y, o.z, d.x, d.y, d.z}, graph);

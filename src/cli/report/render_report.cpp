@@ -27,6 +27,7 @@ nlohmann::json layers_json(const render::Summary& summary) {
         layers.push_back({{"name", layer.name},
                           {"rays", layer.camera_rays},
                           {"invalid_rays", layer.invalid_rays},
+                          {"blocked_rays", layer.blocked_rays},
                           {"hits", layer.hits},
                           {"softened_light", rounded(layer.softened_share())},
                           {"left_out", rounded(layer.share_left_out())},

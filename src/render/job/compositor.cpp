@@ -22,6 +22,22 @@ void mark(std::uint8_t& flag, bool set) {
     }
 }
 
+// What a sample shows that the lens of its camera blocks.
+const Color4f no_light(0.0F, 0.0F, 0.0F, 1.0F);
+
+// The points of a region whose rays a lens blocks, and whether they are counted.
+template <class Do>
+void for_each_blocked(const TileRays& rays, const Region& region, const Region& counted,
+                      const Do& act) {
+    if (rays.through_lens) {
+        for_each_pixel(region, [&](std::size_t i, std::size_t x, std::size_t y) {
+            if (rays.all.blocked(i)) {
+                act(i, counted.contains(x, y));
+            }
+        });
+    }
+}
+
 // A distance from a point at which only the direction matters.
 double far_along(const V3d& from) {
     return 1e9 * std::max({std::abs(from.x), std::abs(from.y), std::abs(from.z), 1.0});
@@ -98,7 +114,12 @@ TileImage& Compositor::sample(const TilePoints& points, const Region& counted,
 void Compositor::sample_light(const TilePoints& points, const Region& counted) {
     rays_.find_rays_of_pass(0, points.grid, points.region, points.numbers, tile_rays_);
     image_.light.resize(points.size());
-    const RayCounts found = tracer_.trace_light(points.region, counted, tile_rays_, image_.light);
+    RayCounts found = tracer_.trace_light(points.region, counted, tile_rays_, image_.light);
+    for_each_blocked(tile_rays_, points.region, counted, [&](std::size_t i, bool counts) {
+        image_.light[i] = no_light;
+        found.invalid_rays -= counts ? 1 : 0;
+        found.blocked_rays += counts ? 1 : 0;
+    });
     counts_[0].add(found);
     invalid_pixels_ += points.pass == 0 ? found.invalid_rays : 0;
 }
@@ -259,6 +280,14 @@ void Compositor::trace_layer(const Element& element, const Veil& veil, Work& wor
     if (master != nullptr) {
         work.depths[layer].resize(points.size());
     }
+    // The mount of the lens is in front of everything.
+    for_each_blocked(rays, points.region, work.counted, [&](std::size_t i, bool counts) {
+        if (wanted[i] != 0) {
+            drawn[i] = {no_light, Color4f(0.0F), {}, 1.0F};
+            count.invalid_rays -= counts ? 1 : 0;
+            count.blocked_rays += counts ? 1 : 0;
+        }
+    });
     if (!work.seen.empty()) {
         work.seen[layer].resize(points.size());
     }
