@@ -29,6 +29,7 @@ Property plate_17();
 Property plate_18();
 Property plate_19();
 Property plate_20();
+Property plate_21();
 Property plate_22();
 Property plate_23();
 
@@ -37,7 +38,7 @@ std::span<const Property> properties() {
                                 plate_06(), plate_07(), plate_08(), plate_09(), plate_10(),
                                 plate_11(), plate_12(), plate_13(), plate_14(), plate_15(),
                                 plate_16(), plate_17(), plate_18(), plate_19(), plate_20(),
-                                plate_22(), plate_23()};
+                                plate_21(), plate_22(), plate_23()};
     return all;
 }
 

@@ -24,6 +24,7 @@
 #include "scenes/soft/soft.hpp"
 #include "scenes/street/street.hpp"
 #include "scenes/temple/temple.hpp"
+#include "scenes/terrace/terrace.hpp"
 #include "scenes/towers/towers.hpp"
 #include "scenes/vase/vase.hpp"
 #include "scenes/wall/wall.hpp"
@@ -51,6 +52,8 @@ constexpr std::array scenes{
     SceneRow{"street", "a street between two rows of houses, in autumn (plate 20)", make_street},
     SceneRow{"temple", "a round temple in the desert at evening (plates 12, 13 and 16)",
              make_temple},
+    SceneRow{"terrace", "a game of chess by night, before a lane with lampions (plate 21)",
+             make_terrace},
     SceneRow{"towers", "a town of coloured blocks, for pictures that hang", make_towers},
     SceneRow{"vase", "an amphora, painted all round, on a plinth (plate 18)", make_vase},
     SceneRow{"wall", "seven by seven pictures on one wall (plates 4 to 8)", make_wall},

@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -83,36 +85,20 @@ std::vector<V2d> fruit_profile(double radius, double neck) {
     return profile;
 }
 
-class StillLife {
+class Candle {
 public:
-    explicit StillLife(const SceneOptions& options) : builder_("candle", options) {}
+    Candle(SceneBuilder& builder, const M44d& placed, float light)
+        : builder_(builder), placed_(placed), light_(light) {}
 
-    Result<scene::Scene> build() && {
-        add_room();
+    void add() {
         add_holder();
         add_candle();
         add_flame();
-        add_fruit();
-        return std::move(builder_).finish();
     }
 
 private:
-    void add_room() {
-        const auto boards = builder_.texture("table", 1024, 512, walnut);
-        const auto top = builder_.mesh("table", rectangle(90, 60, 2.25, 3.0),
-                                       builder_.material("table", Color3f(1.0F), 0.32F, boards));
-        builder_.place("table", top);
-        const auto wall = builder_.mesh("wall", rectangle(240, 90),
-                                        builder_.material("wall", tint(0x7a3222), 0.9F));
-        builder_.place("wall", wall, M44d(1, 0, 0, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 15, 30, 1));
-        // Evening light from a window high on the left, which the pictures do not show.
-        Material window;
-        window.name = "window";
-        window.base_color = Color3f(0.0F);
-        window.emission = Color3f(6.5F, 4.6F, 3.4F);
-        builder_.place(
-            "window", builder_.mesh("window", rectangle(14, 14), builder_.material(window)),
-            M44d().setEulerAngles(V3d(0.5, 2.2, 0.0)) * M44d().setTranslation(V3d(-26, -14, 26)));
+    void place(std::string name, scene::MeshIndex mesh, const M44d& here = M44d()) {
+        builder_.place(std::move(name), mesh, here * placed_);
     }
 
     void add_holder() {
@@ -126,14 +112,14 @@ private:
             V2d(0, 0),      V2d(2.6, 0),   V2d(3.6, 0.35), V2d(4.2, 1.0),  V2d(4.35, 1.05),
             V2d(4.3, 1.15), V2d(4.1, 1.1), V2d(3.4, 0.5),  V2d(2.4, 0.25), V2d(1.6, 0.35),
             V2d(1.42, 0.9), V2d(1.5, 2.0), V2d(1.62, 2.1), V2d(1.2, 2.12)};
-        builder_.place("holder", builder_.mesh("holder", lathe(dish), metal));
+        place("holder", builder_.mesh("holder", lathe(dish), metal));
         std::vector<V3d> ring;
         for (int k = 0; k < 40; ++k) {
             const double angle = 2.0 * std::numbers::pi * k / 40;
             ring.emplace_back(1.05 * std::cos(angle), 0.0, 1.05 * std::sin(angle));
         }
-        builder_.place("handle", builder_.mesh("handle", tube(ring, 0.17, true), metal),
-                       M44d().setTranslation(V3d(5.2, 0, 1.3)));
+        place("handle", builder_.mesh("handle", tube(ring, 0.17, true), metal),
+              M44d().setTranslation(V3d(5.2, 0, 1.3)));
     }
 
     void add_candle() {
@@ -142,23 +128,23 @@ private:
         wax.name = "wax";
         wax.base_color = tint(0xf1dfbd);
         wax.roughness = 0.45F;
-        wax.emission = Color3f(2.4F);
+        wax.emission = Color3f(0.16F * light_);
         wax.emission_texture.index = light;
         const MaterialIndex body = builder_.material(wax);
         const double r = candle_radius;
         const std::array<V2d, 6> side{V2d(r, dish_height),       V2d(r * 0.99, 5.0),
                                       V2d(r * 1.01, 7.4),        V2d(r * 0.98, candle_top - 0.12),
                                       V2d(r * 0.94, candle_top), V2d(r * 0.86, candle_top - 0.03)};
-        builder_.place("candle", builder_.mesh("candle", lathe(side), body));
+        place("candle", builder_.mesh("candle", lathe(side), body));
         wax.name = "molten wax";
-        wax.emission = Color3f(2.2F, 1.1F, 0.36F);
+        wax.emission = Color3f(0.147F, 0.073F, 0.024F) * light_;
         wax.emission_texture = {};
         wax.roughness = 0.12F;
         const MaterialIndex molten = builder_.material(wax);
         const std::array<V2d, 4> pool{V2d(r * 0.86, candle_top - 0.03),
                                       V2d(r * 0.8, candle_top - 0.2),
                                       V2d(r * 0.5, candle_top - 0.3), V2d(0, candle_top - 0.28)};
-        builder_.place("pool", builder_.mesh("pool", lathe(pool), molten));
+        place("pool", builder_.mesh("pool", lathe(pool), molten));
         add_drips(body);
     }
 
@@ -187,7 +173,7 @@ private:
             const auto mesh = builder_.mesh("drip", std::move(drop), wax);
             const V3d at(candle_radius * std::cos(drip.angle), candle_radius * std::sin(drip.angle),
                          candle_top - 0.06);
-            builder_.place(fmt::format("drip {}", ++number), mesh, M44d().setTranslation(at));
+            place(fmt::format("drip {}", ++number), mesh, M44d().setTranslation(at));
         }
     }
 
@@ -195,21 +181,55 @@ private:
         const std::array<V3d, 4> bent{V3d(0, 0, candle_top - 0.3), V3d(0, 0, candle_top + 0.3),
                                       V3d(0.04, 0, candle_top + 0.6),
                                       V3d(0.16, 0, candle_top + 0.85)};
-        builder_.place("wick", builder_.mesh("wick", tube(bent, 0.07),
-                                             builder_.material("wick", Color3f(0.01F), 1.0F)));
+        place("wick", builder_.mesh("wick", tube(bent, 0.07),
+                                    builder_.material("wick", Color3f(0.01F), 1.0F)));
         Material fire;
         fire.name = "flame";
         fire.base_color = Color3f(0.0F);
         fire.specular = 0.0F;
-        fire.emission = Color3f(15.0F);
+        fire.emission = Color3f(light_);
         fire.emission_texture.index =
             builder_.texture("flame", 4, 128, flame_color, scene::Wrap::clamp);
         const auto mesh =
             builder_.mesh("flame", lathe(flame_profile(), 24), builder_.material(fire));
         M44d leaning;
         leaning.setShear(V3d(0, 0.035, 0));
-        builder_.place("flame", mesh,
-                       leaning * M44d().setTranslation(V3d(0, 0, flame_foot - 0.25)));
+        place("flame", mesh, leaning * M44d().setTranslation(V3d(0, 0, flame_foot - 0.25)));
+    }
+
+    SceneBuilder& builder_;
+    M44d placed_;
+    float light_;
+};
+
+class StillLife {
+public:
+    explicit StillLife(const SceneOptions& options) : builder_("candle", options) {}
+
+    Result<scene::Scene> build() && {
+        add_room();
+        add_burning_candle(builder_, M44d(), 15.0F);
+        add_fruit();
+        return std::move(builder_).finish();
+    }
+
+private:
+    void add_room() {
+        const auto boards = builder_.texture("table", 1024, 512, walnut);
+        const auto top = builder_.mesh("table", rectangle(90, 60, 2.25, 3.0),
+                                       builder_.material("table", Color3f(1.0F), 0.32F, boards));
+        builder_.place("table", top);
+        const auto wall = builder_.mesh("wall", rectangle(240, 90),
+                                        builder_.material("wall", tint(0x7a3222), 0.9F));
+        builder_.place("wall", wall, M44d(1, 0, 0, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 15, 30, 1));
+        // Evening light from a window high on the left, which the pictures do not show.
+        Material window;
+        window.name = "window";
+        window.base_color = Color3f(0.0F);
+        window.emission = Color3f(6.5F, 4.6F, 3.4F);
+        builder_.place(
+            "window", builder_.mesh("window", rectangle(14, 14), builder_.material(window)),
+            M44d().setEulerAngles(V3d(0.5, 2.2, 0.0)) * M44d().setTranslation(V3d(-26, -14, 26)));
     }
 
     void add_fruit() {
@@ -257,6 +277,10 @@ private:
 };
 
 }  // namespace
+
+void add_burning_candle(SceneBuilder& builder, const M44d& placed, float light) {
+    Candle(builder, placed, light).add();
+}
 
 Result<scene::Scene> make_candle(const SceneOptions& options) { return StillLife(options).build(); }
 

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -138,16 +140,18 @@ Color board(const Sample& sample) {
 
 class Game {
 public:
-    explicit Game(const SceneOptions& options) : builder_("chess", options) {}
+    Game(SceneBuilder& builder, const M44d& placed) : builder_(builder), placed_(placed) {}
 
-    Result<scene::Scene> build() && {
-        add_room();
+    void add() {
         add_board();
         add_pieces();
-        return std::move(builder_).finish();
     }
 
 private:
+    void place(std::string name, MeshIndex mesh, const M44d& on_board = M44d()) {
+        builder_.place(std::move(name), mesh, on_board * placed_);
+    }
+
     MaterialIndex polished(const char* name, const Color3f& color, float roughness,
                            scene::TextureIndex texture = {}) {
         Material material;
@@ -160,27 +164,13 @@ private:
         return builder_.material(material);
     }
 
-    void add_room() {
-        builder_.place("table",
-                       builder_.mesh("table", rectangle(600, 600),
-                                     builder_.material("green cloth", tint(0x17493a), 0.95F)),
-                       M44d().setTranslation(V3d(0, 0, -1.2)));
-        Material window;
-        window.name = "window";
-        window.base_color = Color3f(0.0F);
-        window.emission = Color3f(15.0F, 12.5F, 9.5F);
-        builder_.place(
-            "window", builder_.mesh("window", rectangle(24, 24), builder_.material(window)),
-            M44d().setEulerAngles(V3d(-0.45, 2.3, 0.0)) * M44d().setTranslation(V3d(-34, 12, 32)));
-    }
-
     void add_board() {
         const auto wood = builder_.texture("board", 1024, 1024, board, scene::Wrap::clamp);
-        builder_.place("board", builder_.mesh("board", rectangle(8 * square, 8 * square),
-                                              polished("squares", Color3f(1.0F), 0.4F, wood)));
+        place("board", builder_.mesh("board", rectangle(8 * square, 8 * square),
+                                     polished("squares", Color3f(1.0F), 0.4F, wood)));
         const M44d flat = M44d().setScale(V3d(8 * square + 3.0, 8 * square + 3.0, 1.18)) *
                           M44d().setTranslation(V3d(0, 0, -0.6));
-        builder_.place(
+        place(
             "rim",
             builder_.mesh("rim", chamfered_cube(1.0, 0.02), polished("rim", tint(0x3d2012), 0.4F)),
             flat);
@@ -200,14 +190,12 @@ private:
                                              sides[standing.white ? 1 : 0]);
             }
             const V3d at((standing.column - 3.5) * square, (standing.row - 3.5) * square, 0.0);
-            builder_.place(fmt::format("piece {}", ++number), mesh->second,
-                           M44d().setTranslation(at));
+            place(fmt::format("piece {}", ++number), mesh->second, M44d().setTranslation(at));
             if (standing.piece == Piece::king) {
                 const MeshIndex cross = standing.white ? white_bar : bar;
                 const auto add = [&](const char* part, const V3d& size, double up) {
-                    builder_.place(
-                        fmt::format("{} of piece {}", part, number), cross,
-                        M44d().setScale(size) * M44d().setTranslation(at + V3d(0, 0, up)));
+                    place(fmt::format("{} of piece {}", part, number), cross,
+                          M44d().setScale(size) * M44d().setTranslation(at + V3d(0, 0, up)));
                 };
                 add("upright", V3d(0.24, 0.2, 0.95), 7.4);
                 add("bar", V3d(0.7, 0.2, 0.24), 7.5);
@@ -215,11 +203,33 @@ private:
         }
     }
 
-    SceneBuilder builder_;
+    SceneBuilder& builder_;
+    M44d placed_;
 };
+
+void add_room(SceneBuilder& builder) {
+    builder.place("table",
+                  builder.mesh("table", rectangle(600, 600),
+                               builder.material("green cloth", tint(0x17493a), 0.95F)),
+                  M44d().setTranslation(V3d(0, 0, -1.2)));
+    Material window;
+    window.name = "window";
+    window.base_color = Color3f(0.0F);
+    window.emission = Color3f(15.0F, 12.5F, 9.5F);
+    builder.place(
+        "window", builder.mesh("window", rectangle(24, 24), builder.material(window)),
+        M44d().setEulerAngles(V3d(-0.45, 2.3, 0.0)) * M44d().setTranslation(V3d(-34, 12, 32)));
+}
 
 }  // namespace
 
-Result<scene::Scene> make_chess(const SceneOptions& options) { return Game(options).build(); }
+void add_game_of_chess(SceneBuilder& builder, const M44d& placed) { Game(builder, placed).add(); }
+
+Result<scene::Scene> make_chess(const SceneOptions& options) {
+    SceneBuilder builder("chess", options);
+    add_room(builder);
+    add_game_of_chess(builder, M44d());
+    return std::move(builder).finish();
+}
 
 }  // namespace balcony::plates
