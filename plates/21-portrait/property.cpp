@@ -23,8 +23,8 @@ namespace portrait_plate {
 using rays::V2d;
 using rays::V3d;
 
-constexpr V2d picture(600.0, 400.0);  // Pixels.
-constexpr double to_queen = 0.824;    // Metres along the axis of the lens.
+constexpr V2d picture(600.0, 400.0);   // Pixels.
+constexpr double to_queen = 0.824;     // Metres along the axis of the lens.
 constexpr double half_width = 0.2118;  // Of the picture, on a plane at distance 1.
 constexpr double to_lampion = 9.0;
 

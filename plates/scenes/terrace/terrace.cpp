@@ -59,8 +59,9 @@ public:
         add_table(stock);
         add_game_of_chess(builder_, M44d().setScale(0.01) * turned(-70.0 * pi / 180.0) *
                                         M44d().setTranslation(V3d(0, 0, board_height)));
-        add_burning_candle(
-            builder_, M44d().setScale(0.01) * M44d().setTranslation(V3d(0.18, 0.165, top)), 9000.0F);
+        add_burning_candle(builder_,
+                           M44d().setScale(0.01) * M44d().setTranslation(V3d(0.18, 0.165, top)),
+                           9000.0F);
         add_window();
         return std::move(builder_).finish();
     }

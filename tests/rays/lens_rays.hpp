@@ -1,0 +1,58 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "support.hpp"
+
+namespace balcony::rays::test {
+
+inline constexpr double pixels = 400.0;  // The width and height of the picture.
+
+/// The rays of a camera at points of its picture and of its lens.
+class LensRaysAt {
+public:
+    explicit LensRaysAt(const std::string& text) : LensRaysAt(camera_of(text)) {}
+    explicit LensRaysAt(const camera::Camera& camera)
+        : lens_(compiled(camera, {{std::string(camera::lens_input_x), program::Rate::pixel},
+                                  {std::string(camera::lens_input_y), program::Rate::pixel}})),
+          central_(compiled(camera, {})) {}
+
+    [[nodiscard]] Ray operator()(const V2d& point, const V2d& lens) const {
+        const std::array<std::span<const double>, 2> inputs{std::span(&lens.x, 1),
+                                                            std::span(&lens.y, 1)};
+        return run(lens_, point, inputs)[0];
+    }
+    [[nodiscard]] bool blocked(const V2d& point, const V2d& lens) const {
+        const std::array<std::span<const double>, 2> inputs{std::span(&lens.x, 1),
+                                                            std::span(&lens.y, 1)};
+        return run(lens_, point, inputs).blocked(0);
+    }
+    [[nodiscard]] Ray central(const V2d& point) const { return run(central_, point, {})[0]; }
+
+private:
+    static RayProgram compiled(const camera::Camera& camera, std::vector<Input> inputs) {
+        auto made = compile(camera, pixels, pixels,
+                            {.footprints = true, .points = true, .inputs = std::move(inputs)});
+        EXPECT_TRUE(made) << to_text(made.diagnostics);
+        return *made;
+    }
+    static RayBatch run(const RayProgram& program, const V2d& point, program::InputValues inputs) {
+        Scratch scratch;
+        RayBatch batch;
+        program.run(Points{std::span(&point.x, 1), std::span(&point.y, 1), 0.0, inputs}, scratch,
+                    batch);
+        return batch;
+    }
+
+    RayProgram lens_, central_;
+};
+
+}  // namespace balcony::rays::test
