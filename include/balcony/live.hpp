@@ -21,7 +21,6 @@
 
 #include "balcony/base.hpp"
 #include "balcony/lang.hpp"
-#include "balcony/names.hpp"
 #include "balcony/prepared_scene.hpp"
 #include "balcony/request.hpp"
 
@@ -51,7 +50,6 @@ enum class Quality : std::uint8_t {
     paths,     ///< Path tracing, with more and more samples.
     denoised,  ///< The same at rest, without its noise.
 };
-[[nodiscard]] Names<Quality> qualities();
 
 struct Frame {
     std::uint64_t change = 0;  ///< The number of the newest change that it shows.

@@ -25,13 +25,6 @@ double seconds_since(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-constexpr std::array quality_rows{
-    Named{Quality::coarse, "coarse", "a preview of fewer pixels"},
-    Named{Quality::preview, "preview", "one ray a pixel"},
-    Named{Quality::paths, "paths", "path tracing, with more and more samples"},
-    Named{Quality::denoised, "denoised", "path tracing without its noise"},
-};
-
 bool is_same(const std::vector<lang::Override>& a, const std::vector<lang::Override>& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                       [](const lang::Override& one, const lang::Override& other) {
@@ -70,8 +63,6 @@ private:
 };
 
 }  // namespace
-
-Names<Quality> qualities() { return Names<Quality>(quality_rows); }
 
 struct View::State {
     State(app::PreparedScene prepared, const app::Request& of, Observer observing,

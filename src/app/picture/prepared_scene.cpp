@@ -3,8 +3,6 @@
 
 #include "balcony/prepared_scene.hpp"
 
-#include <cmath>
-#include <string>
 #include <utility>
 
 #include "app/inputs/loaded.hpp"

@@ -3,7 +3,6 @@
 
 // A bend by a formula: the points of a ray's path from 0 to 1.
 
-#include <array>
 #include <utility>
 
 #include "camera/bends/straight_parts.hpp"
@@ -40,19 +39,18 @@ public:
 
 private:
     [[nodiscard]] ObjectPoint point(const CentralRay& ray, Expr s, Emitter& emit) const {
-        const CentralRay::Values v = ray.values();
-        const auto& [at, size] = ray.picture;
+        const auto& [o, d, p, picture] = ray;
         const std::array all{s,
-                             v[0],
-                             v[1],
-                             v[2],
-                             v[3],
-                             v[4],
-                             v[5],
-                             v[6],
-                             v[7],
-                             at.x / size.width,
-                             at.y / size.height};
+                             o.x,
+                             o.y,
+                             o.z,
+                             d.x,
+                             d.y,
+                             d.z,
+                             p.u,
+                             p.v,
+                             picture.point.x / picture.size.width,
+                             picture.point.y / picture.size.height};
         const std::vector<Expr> xyz =
             point_.emit(emit.graph(), std::span(all).first(point_.parameter_count()));
         return {xyz[0], xyz[1], xyz[2]};
