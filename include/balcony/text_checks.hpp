@@ -31,8 +31,7 @@ struct TextCheck {
 class TextChecks {
 public:
     /// `tell` is called on that thread, must not use this object, and is not called once it is
-    /// destroyed. A text is checked
-    /// once there has been none for `pause`.
+    /// destroyed. A text is checked once there has been none for `pause`.
     explicit TextChecks(std::function<void(const TextCheck&)> tell,
                         std::chrono::milliseconds pause = std::chrono::milliseconds(200));
     TextChecks(const TextChecks&) = delete;

@@ -72,12 +72,11 @@ public:
           thread_([this](const std::stop_token& stop) { work(stop); }) {}
 
     ~Worker() {
-        {
-            const std::lock_guard lock(mutex_);
-            stop_current("");
-        }
         thread_.request_stop();
-        changed_.notify_all();
+        const std::lock_guard lock(mutex_);
+        if (current_) {
+            current_->second.request_stop();
+        }
     }
 
     void add(Task task) {
@@ -94,21 +93,18 @@ public:
     }
 
 private:
-    // Under the lock, as the next one.
+    // Under the lock.
     void drop(const std::string& name) {
         std::erase_if(waiting_, [&name](const Task& one) { return one.name == name; });
-        stop_current(name);
-    }
-
-    void stop_current(const std::string& name) {
-        if (current_ && (name.empty() || current_->first == name)) {
+        if (current_ && current_->first == name) {
             current_->second.request_stop();
         }
     }
 
     void work(const std::stop_token& stop) {
         std::unique_lock lock(mutex_);
-        while (changed_.wait(lock, stop, [this] { return !waiting_.empty(); })) {
+        while (changed_.wait(lock, stop, [this] { return !waiting_.empty(); }) &&
+               !stop.stop_requested()) {
             const auto ready = last_change_ + pause_;
             if (std::chrono::steady_clock::now() < ready) {
                 changed_.wait_until(lock, stop, ready, [] { return false; });
