@@ -117,7 +117,7 @@ void SurfaceFilter::find_sensitivities() {
             }
             for (std::ptrdiff_t down = -1; down <= 1; ++down) {
                 for (std::ptrdiff_t right = -1; right <= 1; ++right) {
-                    const auto [row, first] =
+                    const auto [row, begin] =
                         Row::within(canvas_, x, y, std::min(piece, canvas_.width - x), right, down);
                     if (row.here == row.there) {
                         continue;
@@ -127,9 +127,9 @@ void SurfaceFilter::find_sensitivities() {
                     for (std::size_t k = 0; k < row.count; ++k) {
                         float other = distances[k];
                         for (Piece& each : least) {
-                            const float smaller = std::min(each[first + k], other);
-                            other = std::max(each[first + k], other);
-                            each[first + k] = smaller;
+                            const float smaller = std::min(each[begin + k], other);
+                            other = std::max(each[begin + k], other);
+                            each[begin + k] = smaller;
                         }
                     }
                 }
@@ -185,7 +185,7 @@ Stack SurfaceFilter::filtered(const Stack& images, std::size_t spacing, const Gu
         std::array<Piece, std::tuple_size_v<Stack>> sums{};
         for (std::ptrdiff_t down = -reach; down <= reach; ++down) {
             for (std::ptrdiff_t right = -reach; right <= reach; ++right) {
-                const auto [row, first] =
+                const auto [row, begin] =
                     Row::within(canvas_, x, y, count, step * right, step * down);
                 Piece distances{};
                 add_distances(row, distances.data());
@@ -202,10 +202,10 @@ Stack SurfaceFilter::filtered(const Stack& images, std::size_t spacing, const Gu
                              row.count, weights.data());
                 for (std::size_t k = 0; k < row.count; ++k) {
                     weights[k] *= importance_[row.there + k];
-                    total[first + k] += weights[k];
+                    total[begin + k] += weights[k];
                 }
                 for (std::size_t image = 0; image < images.size(); ++image) {
-                    add_weighted(sums[image].data() + first, weights.data(),
+                    add_weighted(sums[image].data() + begin, weights.data(),
                                  images[image].data() + row.there, row.count);
                 }
             }
