@@ -1,9 +1,10 @@
-# balcony_layer(NAME SOURCES file... [USES layer...] [PRIVATE library...])
+# balcony_layer(NAME [NOT_INSTALLED] SOURCES file... [USES layer...] [PRIVATE library...])
 #
 # One static library for one folder of src/. USES names the layers below that it may include;
-# PRIVATE names external libraries. tests/architecture has the table of allowed dependencies.
+# PRIVATE names external libraries. The parts of the command that have layers of their own are
+# NOT_INSTALLED: other programs do not use them. tests/architecture has the table of allowed dependencies.
 function(balcony_layer name)
-    cmake_parse_arguments(layer "" "" "SOURCES;USES;PRIVATE" ${ARGN})
+    cmake_parse_arguments(layer "NOT_INSTALLED" "" "SOURCES;USES;PRIVATE" ${ARGN})
     set(target balcony_${name})
     add_library(${target} STATIC ${layer_SOURCES})
     add_library(balcony::${name} ALIAS ${target})
@@ -19,5 +20,7 @@ function(balcony_layer name)
     target_link_libraries(${target} PRIVATE ${layer_PRIVATE})
     balcony_use_precompiled_headers(${target} layer)
     balcony_group_sources(${target})
-    set_property(GLOBAL APPEND PROPERTY BALCONY_LAYERS ${target})
+    if(NOT layer_NOT_INSTALLED)
+        set_property(GLOBAL APPEND PROPERTY BALCONY_LAYERS ${target})
+    endif()
 endfunction()

@@ -337,6 +337,15 @@ class Lsp(support.CommandTest):
         self.assertEqual(client.next_error()["code"], -32600)
         self.assertIsNotNone(client.result("textDocument/hover", **self.place(4, 10)))
 
+    def test_a_message_that_nests_too_deeply(self):
+        client = self.connect()
+        deep = b"[" * 400_000 + b"]" * 400_000
+        for message in (b'{"jsonrpc": "2.0", "id": %s, "method": "shutdown"}' % deep,
+                        b'{"jsonrpc": "2.0", "id": 1, "method": "shutdown", "params": %s}' % deep):
+            client.send(message)
+            self.assertIn("nests", client.next_error()["message"])
+        self.assertIsNone(client.result("shutdown"))
+
     def test_a_text_that_is_too_long(self):
         client = self.connect("// " + "x" * 1_000_000)
         (said,) = client.diagnostics(1)

@@ -4,10 +4,13 @@
 #include <iostream>
 #include <variant>
 
+#include <nlohmann/json.hpp>
+
 #include "cli/commands/command.hpp"
-#include "cli/lsp/server.hpp"
+#include "cli/lsp/messages.hpp"
 #include "cli/options/command_rows.hpp"
 #include "cli/report/report.hpp"
+#include "lsp/server.hpp"
 
 namespace balcony::cli {
 
@@ -20,7 +23,8 @@ struct LspOptions {
 // The end of the input without shutdown and exit is a failure, as the protocol says.
 ExitCode serve(const LspOptions& /*options*/) {
     std::ios::sync_with_stdio(false);
-    LanguageServer server;
+    MessageWriter writer;
+    lsp::LanguageServer server([&writer](const nlohmann::json& message) { writer.write(message); });
     while (!server.has_ended()) {
         const std::variant<std::string, NoMessage> read = read_message(std::cin);
         if (const auto* text = std::get_if<std::string>(&read)) {
@@ -31,7 +35,7 @@ ExitCode serve(const LspOptions& /*options*/) {
         if (why == NoMessage::end) {
             break;
         }
-        server.refuse(why);
+        writer.write(refusal_of(why));
         if (why == NoMessage::bad_header) {
             break;
         }

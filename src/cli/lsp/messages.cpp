@@ -92,7 +92,7 @@ std::variant<std::string, NoMessage> read_message(std::istream& stream) {
     if (!length) {
         return NoMessage::bad_header;
     }
-    if (*length > longest_message) {
+    if (*length > lsp::longest_message) {
         skip(stream, *length);
         return NoMessage::too_long;
     }
@@ -103,8 +103,19 @@ std::variant<std::string, NoMessage> read_message(std::istream& stream) {
                : NoMessage::end;
 }
 
+nlohmann::json refusal_of(NoMessage why) {
+    const lsp::Refusal refusal =
+        why == NoMessage::too_long
+            ? lsp::Refusal{lsp::invalid_request, fmt::format("a message is longer than {} bytes",
+                                                             lsp::longest_message)}
+            : lsp::Refusal{lsp::parse_error,
+                           "a header is wrong: a message begins with Content-Length: and its "
+                           "length in bytes"};
+    return lsp::error_of(nullptr, refusal);
+}
+
 void MessageWriter::write(const nlohmann::json& message) {
-    const std::string text = message.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    const std::string text = lsp::text_of(message);
     const std::string whole = fmt::format("Content-Length: {}\r\n\r\n{}", text.size(), text);
     const std::lock_guard lock(mutex_);
     std::fwrite(whole.data(), 1, whole.size(), stdout);

@@ -5,7 +5,6 @@
 // Messages of the Language Server Protocol on streams: a header with the length, an empty line, and
 // a JSON document.
 
-#include <cstddef>
 #include <cstdint>
 #include <istream>
 #include <mutex>
@@ -13,6 +12,8 @@
 #include <variant>
 
 #include <nlohmann/json_fwd.hpp>
+
+#include "lsp/rpc.hpp"
 
 namespace balcony::cli {
 
@@ -23,10 +24,11 @@ enum class NoMessage : std::uint8_t {
     too_long,    ///< It was skipped.
 };
 
-inline constexpr std::size_t longest_message = 16'000'000;
-
-/// Reads the next message: its JSON text.
+/// Reads the next message: its JSON text, of at most lsp::longest_message bytes.
 [[nodiscard]] std::variant<std::string, NoMessage> read_message(std::istream& stream);
+
+/// The answer to a message that was not read.
+[[nodiscard]] nlohmann::json refusal_of(NoMessage why);
 
 /// Writes messages to standard output, from any thread.
 class MessageWriter {

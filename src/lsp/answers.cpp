@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-#include "cli/lsp/answers.hpp"
+#include "lsp/answers.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 
 #include "balcony/lang.hpp"
 
-namespace balcony::cli {
+namespace balcony::lsp {
 
 using lang::WordKind;
 using nlohmann::json;
@@ -138,13 +138,13 @@ json hover_answer(OpenText& text, std::size_t offset) {
     }
     std::string shown = block("balcony", told->signature);
     if (!told->meaning.empty()) {
-        shown += "\n" + told->meaning + "\n";
+        shown += fmt::format("\n{}\n", told->meaning);
     }
     if (!told->formula.empty()) {
-        shown += "\n" + block("text", told->formula);
+        shown += fmt::format("\n{}", block("text", told->formula));
     }
     if (!told->example.empty()) {
-        shown += "\n" + block("balcony", told->example);
+        shown += fmt::format("\n{}", block("balcony", told->example));
     }
     return {{"contents", markdown(std::move(shown))},
             {"range", range_in(*text.source(), told->begin, told->end)}};
@@ -261,4 +261,4 @@ json diagnostics_of(const std::string& uri, const SourceText& text, const Diagno
     return {{"uri", uri}, {"version", version}, {"diagnostics", std::move(list)}};
 }
 
-}  // namespace balcony::cli
+}  // namespace balcony::lsp

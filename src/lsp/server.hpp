@@ -6,31 +6,33 @@
 
 #include <map>
 #include <mutex>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include <nlohmann/json_fwd.hpp>
 
 #include "balcony/text_checks.hpp"
-#include "cli/lsp/messages.hpp"
-#include "cli/lsp/open_text.hpp"
+#include "lsp/open_text.hpp"
+#include "lsp/rpc.hpp"
 
-namespace balcony::cli {
+namespace balcony::lsp {
 
 class LanguageServer {
 public:
-    LanguageServer();
+    /// What it says goes to the sink.
+    explicit LanguageServer(Sink send);
 
     /// Answers the text of a message.
-    void receive(const std::string& text);
-    /// Answers a message that was not read.
-    void refuse(NoMessage why);
+    void receive(std::string_view text);
+    /// The answer to a request, or nothing for a notification, as a Handler.
+    [[nodiscard]] std::optional<nlohmann::json> handle(const nlohmann::json& message);
 
     /// Whether the client has asked for the end, and whether it has announced it before.
     [[nodiscard]] bool has_ended() const { return has_ended_; }
     [[nodiscard]] bool was_shut_down() const { return is_shut_down_; }
 
 private:
-    void handle(const nlohmann::json& message);
     [[nodiscard]] nlohmann::json answer(const std::string& method, const nlohmann::json& asked);
     [[nodiscard]] nlohmann::json initialize(const nlohmann::json& asked);
     [[nodiscard]] nlohmann::json fixes(const nlohmann::json& asked);
@@ -41,7 +43,7 @@ private:
     void publish(const app::TextCheck& check);
     [[nodiscard]] OpenText& text_of(const nlohmann::json& asked);
 
-    MessageWriter writer_;
+    Sink send_;
     std::map<std::string, OpenText> texts_;
     bool is_initialized_ = false;
     bool is_shut_down_ = false;
@@ -52,4 +54,4 @@ private:
     app::TextChecks checks_;  // The last member: its thread uses the others.
 };
 
-}  // namespace balcony::cli
+}  // namespace balcony::lsp

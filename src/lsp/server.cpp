@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-#include "cli/lsp/server.hpp"
+#include "lsp/server.hpp"
 
 #include <array>
 #include <string_view>
@@ -10,37 +10,16 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "cli/lsp/answers.hpp"
+#include "lsp/answers.hpp"
 
-namespace balcony::cli {
+namespace balcony::lsp {
 
 using nlohmann::json;
 
 namespace {
 
 constexpr std::size_t longest_text = 1'000'000;
-
-/// The error codes of the protocol.
-enum Code : int {
-    parse_error = -32700,
-    invalid_request = -32600,
-    method_not_found = -32601,
-    invalid_params = -32602,
-    internal_error = -32603,
-    not_initialized = -32002,
-    request_failed = -32803,
-};
-
-struct Refusal {
-    Code code;
-    std::string message;
-};
-
-json error_answer(const json& id, const Refusal& refusal) {
-    return {{"jsonrpc", "2.0"},
-            {"id", id},
-            {"error", {{"code", refusal.code}, {"message", refusal.message}}}};
-}
+constexpr std::string_view publishing = "textDocument/publishDiagnostics";
 
 /// Requests about a place of a text.
 struct PlaceRow {
@@ -69,58 +48,20 @@ constexpr std::array<TextRow, 2> text_rows = {{
 
 }  // namespace
 
-LanguageServer::LanguageServer()
-    : checks_([this](const app::TextCheck& check) { publish(check); }) {}
+LanguageServer::LanguageServer(Sink send)
+    : send_(std::move(send)), checks_([this](const app::TextCheck& check) { publish(check); }) {}
 
-void LanguageServer::refuse(NoMessage why) {
-    writer_.write(error_answer(
-        nullptr, why == NoMessage::too_long
-                     ? Refusal{invalid_request,
-                               fmt::format("a message is longer than {} bytes", longest_message)}
-                     : Refusal{parse_error,
-                               "a header is wrong: a message begins with "
-                               "Content-Length: and its length in bytes"}));
+void LanguageServer::receive(std::string_view text) {
+    lsp::receive(
+        text, [this](const json& message) { return handle(message); }, send_);
 }
 
-void LanguageServer::receive(const std::string& text) {
-    const json message = json::parse(text, nullptr, false);
-    if (message.is_discarded()) {
-        writer_.write(error_answer(nullptr, {parse_error, "the message is not JSON"}));
-        return;
-    }
-    const bool is_request = message.is_object() && message.contains("id");
-    const json id = is_request ? message["id"] : json(nullptr);
-    try {
-        handle(message);
-    } catch (const Refusal& refusal) {
-        if (is_request || !message.is_object()) {
-            writer_.write(error_answer(id, refusal));
-        }
-    } catch (const json::exception&) {
-        if (is_request) {
-            writer_.write(error_answer(id, {invalid_params,
-                                            "the parameters do not have the form that the "
-                                            "protocol gives them"}));
-        }
-    }
-}
-
-void LanguageServer::handle(const json& message) {
-    if (!message.is_object() || (!message.contains("method") && !message.contains("id"))) {
-        throw Refusal{invalid_request, "the message is neither a request nor a notification"};
-    }
-    if (!message.contains("method")) {
-        return;  // The answer to a request of the server, which makes none.
-    }
+std::optional<json> LanguageServer::handle(const json& message) {
     const auto& method = message["method"].get_ref<const std::string&>();
     const json params = message.value("params", json::object());
     if (!message.contains("id")) {
         notice(method, params);
-        return;
-    }
-    const json& id = message["id"];
-    if (!id.is_number_integer() && !id.is_string()) {
-        throw Refusal{invalid_request, "the id of a request is a number or a text"};
+        return std::nullopt;
     }
     if (method == "initialize" ? is_initialized_ : !is_initialized_) {
         throw method == "initialize" ? Refusal{invalid_request, "it is initialized already"}
@@ -129,7 +70,7 @@ void LanguageServer::handle(const json& message) {
     if (is_shut_down_) {
         throw Refusal{invalid_request, "after shutdown there is exit alone"};
     }
-    writer_.write({{"jsonrpc", "2.0"}, {"id", id}, {"result", answer(method, params)}});
+    return result_of(message["id"], answer(method, params));
 }
 
 json LanguageServer::initialize(const json& asked) {
@@ -233,9 +174,7 @@ void LanguageServer::notice(const std::string& method, const json& told) {
         const std::lock_guard lock(found_mutex_);
         texts_.erase(uri);
         // A closed text has no marks.
-        writer_.write({{"jsonrpc", "2.0"},
-                       {"method", "textDocument/publishDiagnostics"},
-                       {"params", {{"uri", uri}, {"diagnostics", json::array()}}}});
+        send_(notification(publishing, {{"uri", uri}, {"diagnostics", json::array()}}));
     }
 }
 
@@ -269,12 +208,10 @@ void LanguageServer::check(const OpenText& text) {
         return;
     }
     checks_.forget(text.uri());
-    writer_.write(
-        {{"jsonrpc", "2.0"},
-         {"method", "textDocument/publishDiagnostics"},
-         {"params", diagnostics_of(text.uri(), *text.source(),
+    send_(notification(
+        publishing, diagnostics_of(text.uri(), *text.source(),
                                    {error("a camera file is at most 1 MB", {text.source(), 0, 0})},
-                                   text.version())}});
+                                   text.version())));
 }
 
 void LanguageServer::publish(const app::TextCheck& check) {
@@ -284,10 +221,8 @@ void LanguageServer::publish(const app::TextCheck& check) {
         return;
     }
     text->second.found = check.found;
-    writer_.write(
-        {{"jsonrpc", "2.0"},
-         {"method", "textDocument/publishDiagnostics"},
-         {"params", diagnostics_of(check.name, *check.text, check.found, text->second.version())}});
+    send_(notification(publishing, diagnostics_of(check.name, *check.text, check.found,
+                                                  text->second.version())));
 }
 
-}  // namespace balcony::cli
+}  // namespace balcony::lsp

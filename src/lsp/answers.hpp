@@ -8,9 +8,9 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "cli/lsp/open_text.hpp"
+#include "lsp/open_text.hpp"
 
-namespace balcony::cli {
+namespace balcony::lsp {
 
 /// With the blanks of whole calls as tab stops if the client knows snippets.
 [[nodiscard]] nlohmann::json completion_answer(OpenText& text, std::size_t offset, bool snippets);
@@ -33,4 +33,4 @@ namespace balcony::cli {
 [[nodiscard]] nlohmann::json diagnostics_of(const std::string& uri, const SourceText& text,
                                             const Diagnostics& found, int version);
 
-}  // namespace balcony::cli
+}  // namespace balcony::lsp

@@ -1,7 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-#include "cli/lsp/open_text.hpp"
+#include "lsp/open_text.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-namespace balcony::cli {
+namespace balcony::lsp {
 
 using nlohmann::json;
 
@@ -141,4 +141,4 @@ void OpenText::change(const json& changes, int version) {
     set(std::move(text));
 }
 
-}  // namespace balcony::cli
+}  // namespace balcony::lsp

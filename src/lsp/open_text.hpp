@@ -18,7 +18,7 @@
 #include "balcony/base.hpp"
 #include "balcony/language_service.hpp"
 
-namespace balcony::cli {
+namespace balcony::lsp {
 
 /// The file that an address names; empty if it is none.
 [[nodiscard]] std::filesystem::path file_of(std::string_view uri);
@@ -56,4 +56,4 @@ private:
     std::optional<lang::EditedText> known_;
 };
 
-}  // namespace balcony::cli
+}  // namespace balcony::lsp
