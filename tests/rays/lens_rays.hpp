@@ -55,4 +55,25 @@ private:
     RayProgram lens_, central_;
 };
 
+/// The part of the square of lens samples of a point of the picture that passes: its brightness.
+inline double lit_part(const LensRaysAt& rays, const V2d& point) {
+    constexpr int side = 100;
+    int passed = 0;
+    for (int i = 0; i < side * side; ++i) {
+        const V2d at((i % side + 0.5) / side * 2.0 - 1.0, (i / side + 0.5) / side * 2.0 - 1.0);
+        passed += rays(point, at).valid ? 1 : 0;
+    }
+    return static_cast<double>(passed) / (side * side);
+}
+
+/// Points of the square of lens samples, up to 0.9.
+template <class Check>
+void at_lens(const Check& check) {
+    for (double x = -0.9; x < 1.0; x += 0.45) {
+        for (double y = -0.85; y < 1.0; y += 0.34) {
+            check(V2d(x, y));
+        }
+    }
+}
+
 }  // namespace balcony::rays::test

@@ -1,12 +1,11 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-// Lenses of glass: their rays are those that a tracer written here from the textbook finds the
-// other way, from the scene to the sensor; and vignetting is the area of the directions that pass.
+// Lenses of glass: their rays are those that a tracer from the textbook finds the other way, from
+// the scene to the sensor; and vignetting is the area of the directions that pass.
 
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <random>
 #include <string>
@@ -14,109 +13,22 @@
 
 #include <fmt/format.h>
 
-#include "balcony/data.hpp"
-#include "balcony/make_stage.hpp"
 #include "balcony/prescription.hpp"
 #include "lens_rays.hpp"
+#include "lens_tracer.hpp"
 #include "support.hpp"
 
 namespace balcony::rays::test::prescribed_lens_test {
 namespace {
 
-using camera::LensSurface;
 using camera::ParaxialLens;
 using camera::Prescription;
-using std::numbers::pi;
-
-Prescription read(const std::string& name) {
-    const auto file = data::find_file(name, std::nullopt);
-    EXPECT_TRUE(file) << to_text(file.diagnostics);
-    const auto lens = data::read_prescription(*file);
-    EXPECT_TRUE(lens) << to_text(lens.diagnostics);
-    return **lens;
-}
 
 /// A camera that looks along x, with x to the right of its picture as -y. The unit is 1 mm.
 std::string camera_text(const std::string& lens, const std::string& more = "") {
     return "camera a { aspect 1  map u = 0.36 .. -0.36, v = square  eye point  toward plane((1, 0, "
            "0))  lens table(\"" +
            lens + "\", unit = 1" + more + ") }";
-}
-
-// ----------------------------------------------------------------- a tracer from the textbook
-// Points are (distance behind the first surface, y, z), and light runs towards the sensor.
-
-struct Line {
-    V3d point, direction;
-};
-
-/// Where a line crosses a sphere next to its vertex, by its centre; a plane has radius 0.
-std::optional<V3d> crossing(const Line& line, double vertex, double radius) {
-    if (radius == 0.0) {
-        return line.point + (vertex - line.point.x) / line.direction.x * line.direction;
-    }
-    const V3d from_center = line.point - V3d(vertex + radius, 0.0, 0.0);
-    const double b = from_center.dot(line.direction);
-    const double square = b * b - from_center.dot(from_center) + radius * radius;
-    if (square < 0.0) {
-        return std::nullopt;
-    }
-    std::optional<V3d> nearest;
-    for (const double root : {-std::sqrt(square), std::sqrt(square)}) {
-        const V3d at = line.point + (root - b) * line.direction;
-        if (!nearest || std::abs(at.x - vertex) < std::abs(nearest->x - vertex)) {
-            nearest = at;
-        }
-    }
-    return nearest;
-}
-
-/// Snell's law by angles, in the plane of the ray and the normal.
-std::optional<V3d> bent(const V3d& d, V3d normal, double n, double n_after) {
-    if (normal.dot(d) < 0.0) {
-        normal = -normal;
-    }
-    const V3d across = d - d.dot(normal) * normal;
-    const double sine = across.length();
-    const double sine_after = sine * n / n_after;
-    if (sine_after >= 1.0) {
-        return std::nullopt;
-    }
-    const V3d side = sine > 0.0 ? across / sine : V3d(0.0);
-    return std::cos(std::asin(sine_after)) * normal + sine_after * side;
-}
-
-/// Light of the scene through all surfaces; none if it does not get through.
-std::optional<Line> through(const Prescription& lens, Line line, double wavelength,
-                            double stop_scale = 1.0) {
-    double vertex = 0.0;
-    double n = 1.0;
-    for (const LensSurface& s : lens.surfaces) {
-        const double radius = s.curvature == 0.0 ? 0.0 : 1.0 / s.curvature;
-        const auto at = crossing(line, vertex, radius);
-        if (!at || std::hypot(at->y, at->z) > s.radius * (s.stop ? stop_scale : 1.0)) {
-            return std::nullopt;
-        }
-        const V3d normal =
-            radius == 0.0 ? V3d(1.0, 0.0, 0.0) : (*at - V3d(vertex + radius, 0.0, 0.0)) / radius;
-        const double n_after = s.behind.index(wavelength);
-        const auto direction = bent(line.direction, normal, n, n_after);
-        if (!direction) {
-            return std::nullopt;
-        }
-        line = {*at, *direction};
-        n = n_after;
-        vertex += s.gap;
-    }
-    return line;
-}
-
-double length_of(const Prescription& lens) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i + 1 < lens.surfaces.size(); ++i) {
-        sum += lens.surfaces[i].gap;
-    }
-    return sum;
 }
 
 /// The light of a camera's ray, reversed, on a plane at a distance behind the last surface.
@@ -150,20 +62,11 @@ void at_points(const Check& check) {
     }
 }
 
-template <class Check>
-void at_lens(const Check& check) {
-    for (double x = -0.9; x < 1.0; x += 0.45) {
-        for (double y = -0.85; y < 1.0; y += 0.34) {
-            check(V2d(x, y));
-        }
-    }
-}
-
 }  // namespace
 
 // The sensor is where the paraxial image is; 1e-9 mm is rounding over a dozen surfaces.
 TEST(PrescribedLens, RaysArriveOnTheSensorTheOtherWay) {
-    const Prescription lens = read("dgauss.dat");
+    const Prescription lens = read_lens("dgauss.dat");
     const ParaxialLens near_axis = camera::paraxial(lens);
     const LensRaysAt rays(camera_text("dgauss.dat", ", focus = 1e12"));
     int passed = 0;
@@ -185,7 +88,7 @@ TEST(PrescribedLens, RaysArriveOnTheSensorTheOtherWay) {
 
 // Without a point of the lens, a camera has the ray through the middle of the pupil.
 TEST(PrescribedLens, HasACentralRayWithTheDistortionOfTheLens) {
-    const Prescription lens = read("dgauss.dat");
+    const Prescription lens = read_lens("dgauss.dat");
     const ParaxialLens near_axis = camera::paraxial(lens);
     const LensRaysAt rays(camera_text("dgauss.dat", ", focus = 1e12"));
     at_points([&](const V2d& point) {
@@ -225,18 +128,9 @@ TEST(PrescribedLens, IsFocusedByTheSensorOrByAGroup) {
 // The part of the square of lens samples that passes is proportional to the light on the sensor:
 // the integral of cos θ over the solid angle of what passes, by the other tracer.
 TEST(PrescribedLens, HasExactVignetting) {
-    const Prescription lens = read("dgauss.dat");
+    const Prescription lens = read_lens("dgauss.dat");
     const ParaxialLens near_axis = camera::paraxial(lens);
     const LensRaysAt rays(camera_text("dgauss.dat", ", focus = 1e12"));
-    constexpr int side = 100;
-    const auto by_samples = [&](const V2d& point) {
-        int passed = 0;
-        for (int i = 0; i < side * side; ++i) {
-            const V2d at((i % side + 0.5) / side * 2.0 - 1.0, (i / side + 0.5) / side * 2.0 - 1.0);
-            passed += rays(point, at).valid ? 1 : 0;
-        }
-        return static_cast<double>(passed) / (side * side);
-    };
     // Light from the scene, uniform in position and in the sines of its directions at the first
     // plane: as many rays arrive at a patch of the sensor as dA cos θ dω is there, which a lens
     // conserves.
@@ -263,13 +157,13 @@ TEST(PrescribedLens, HasExactVignetting) {
             arrived[k] += std::abs(at.y - wanted.x) < patch && std::abs(at.z - wanted.y) < patch;
         }
     }
-    const double middle = by_samples(points[0]);
+    const double middle = lit_part(rays, points[0]);
     EXPECT_GT(middle, 0.95);
     for (std::size_t k = 1; k < points.size(); ++k) {
         const double wanted = static_cast<double>(arrived[k]) / arrived[0];
         // Four standard deviations of both counts, and 1 % for the size of the patch.
         const double deviation = 4.0 * wanted * std::sqrt(1.0 / arrived[k] + 1.0 / arrived[0]);
-        EXPECT_NEAR(by_samples(points[k]) / middle, wanted, deviation + 0.01) << k;
+        EXPECT_NEAR(lit_part(rays, points[k]) / middle, wanted, deviation + 0.01) << k;
         EXPECT_LT(wanted, 0.85) << k;
     }
 }
@@ -298,7 +192,7 @@ TEST(PrescribedLens, TellsBlockedLightFromPointsWithoutARay) {
 }
 
 TEST(PrescribedLens, NarrowsItsStop) {
-    const Prescription lens = read("dgauss.dat");
+    const Prescription lens = read_lens("dgauss.dat");
     const ParaxialLens near_axis = camera::paraxial(lens);
     const double scale = near_axis.f_number() / 8.0;
     const LensRaysAt rays(camera_text("dgauss.dat", ", focus = 1e12, f_number = 8"));
@@ -356,96 +250,10 @@ TEST(PrescribedLens, HasTheExactFootprint) {
     });
 }
 
-// ------------------------------------------------------------------------ surfaces and glass
-
-camera::StageResult table(const std::vector<camera::NamedValue>& values) {
-    return camera::make_stage(*camera::catalogue().find(camera::StageKind::lens, "table"), values);
-}
-
-/// A camera with a lens that no file has.
-camera::Camera camera_with(const Prescription& lens, std::vector<camera::NamedValue> values) {
-    EXPECT_EQ(to_text(check(lens)), "");
-    values.push_back({"file", std::make_shared<const Prescription>(lens)});
-    values.push_back({"unit", 1.0});
-    camera::Camera::Parts parts =
-        camera_of(
-            "camera a { aspect 1  map u = 0.1 .. -0.1, v = square  eye point  toward "
-            "plane((1, 0, 0)) }")
-            .parts();
-    const auto made = table(values);
-    EXPECT_TRUE(made) << to_text(made.diagnostics);
-    parts.lens = std::static_pointer_cast<const camera::Lens>(*made);
-    auto camera = camera::Camera::make(std::move(parts));
-    EXPECT_TRUE(camera) << to_text(camera.diagnostics);
-    return *camera;
-}
-
-/// A plane in front, and behind it a surface that a point at the distance f is imaged to infinity
-/// by, exactly: the hyperboloid with the conic constant -n² and the radius (n - 1) f.
-Prescription hyperbolic(double n, double f) {
-    return {"hyperbolic",
-            {{.radius = 0.45 * f,
-              .stop = true,
-              .gap = 0.3 * f,
-              .behind = {"glass", camera::Medium::Dispersion::none, {n}}},
-             {.curvature = -1.0 / ((n - 1.0) * f), .conic = -n * n, .radius = 0.45 * f}}};
-}
-
-// All rays from the middle of the sensor leave along the axis, up to f/1.2.
-TEST(PrescribedLens, HasConics) {
-    const LensRaysAt rays(camera_with(hyperbolic(1.6, 50.0), {{"focus", 1e15}}));
-    int passed = 0;
-    double widest = 0.0;
-    at_lens([&](const V2d& at) {
-        const Ray ray = rays({200.0, 200.0}, at);
-        if (ray.valid) {
-            ++passed;
-            widest = std::max(widest, std::hypot(ray.origin.y, ray.origin.z));
-            EXPECT_NEAR(ray.direction.y, 0.0, 1e-12);
-            EXPECT_NEAR(ray.direction.z, 0.0, 1e-12);
-        }
-    });
-    EXPECT_GE(passed, 10);
-    EXPECT_GT(widest, 20.0);
-}
-
-// The same surface as a sphere with terms of h⁴ to h¹²: with c the curvature and K = -n² the conic
-// constant, c h²/(1 + √(1 - (1 + K) c² h²)) has the coefficients binomial(1/2, i) (-1)^(i + 1)
-// c^(2i - 1) (1 + K)^(i - 1) of h^(2i), and the sphere those of K = 0. What is left is of h¹⁴.
-TEST(PrescribedLens, HasAspheres) {
-    const double n = 1.6;
-    Prescription lens = hyperbolic(n, 50.0);
-    LensSurface& s = lens.surfaces.back();
-    s.conic = 0.0;
-    s.radius = lens.surfaces.front().radius = 6.0;
-    double binomial = 0.5;
-    for (int i = 2; i <= 6; ++i) {
-        binomial *= (0.5 - (i - 1)) / i;
-        const double sign = i % 2 == 0 ? -1.0 : 1.0;
-        s.aspheric[static_cast<std::size_t>(i - 2)] = binomial * sign *
-                                                      std::pow(s.curvature, 2 * i - 1) *
-                                                      (std::pow(1.0 - n * n, i - 1) - 1.0);
-    }
-    const LensRaysAt rays(camera_with(lens, {{"focus", 1e15}}));
-    const LensRaysAt exact(camera_with(hyperbolic(n, 50.0), {{"focus", 1e15}}));
-    at_lens([&](const V2d& at) {
-        const Ray ray = rays({200.0, 200.0}, at);
-        ASSERT_TRUE(ray.valid) << at;
-        // (h/R)¹³ at h = 6 and R = 30 is 8e-10, times (n² - 1)⁶ = 14 and the coefficient 0.02.
-        EXPECT_NEAR(ray.direction.y, 0.0, 1e-9);
-        EXPECT_NEAR(ray.direction.z, 0.0, 1e-9);
-        EXPECT_NEAR(ray.direction.length(), 1.0, 1e-13);
-    });
-    // Off the axis, too, it is the same lens.
-    const Ray a = rays.central({60.0, 90.0});
-    const Ray b = exact.central({60.0, 90.0});
-    EXPECT_LT(a.direction.cross(b.direction).length(), 1e-2);
-}
-
 // The sensor is where the image of the d line is; light of another wavelength meets elsewhere, as
 // the lens equation says of the focal length for it.
 TEST(PrescribedLens, DispersesLight) {
-    const Prescription lens = read("petzval.dat");
+    const Prescription lens = read_lens("petzval.dat");
     const ParaxialLens at_d = camera::paraxial(lens);
     for (const double wavelength : {0.45, 0.7}) {
         const LensRaysAt rays(camera_text(
@@ -460,24 +268,6 @@ TEST(PrescribedLens, DispersesLight) {
         const double wanted = there.focal_length * there.focal_length / defocus;
         EXPECT_NEAR(found / wanted, 1.0, 0.02) << wavelength;
     }
-}
-
-TEST(PrescribedLens, SaysWhatItCannotDo) {
-    const auto fault = [](std::vector<camera::NamedValue> values) {
-        values.push_back({"file", std::make_shared<const Prescription>(hyperbolic(1.6, 50.0))});
-        values.push_back({"focus", 5.0});
-        const auto made = table(values);
-        if (made) {
-            return std::string("none");
-        }
-        EXPECT_FALSE(made.diagnostics.front().remedy.empty());
-        return made.diagnostics.front().message;
-    };
-    EXPECT_EQ(fault({{"f_number", 1.0}}), "f/1 is wider than this lens, which is f/1.11");
-    EXPECT_EQ(fault({{"group", {2.0, 1.0}}}), "there is no group from surface 2 to surface 1");
-    EXPECT_EQ(fault({{"group", {1.0, 3.0}}}), "there is no group from surface 1 to surface 3");
-    EXPECT_EQ(fault({{"blades", 2.0}}), "an aperture cannot have 2 blades");
-    EXPECT_EQ(fault({}), "none");
 }
 
 }  // namespace balcony::rays::test::prescribed_lens_test

@@ -105,6 +105,9 @@ private:
     std::optional<double> inside_;
 };
 
+/// sin θ of the direction from a point of the sensor to the middle of the last surface.
+double sine_of(double p) { return p / std::hypot(1.0, p); }
+
 /// The middle of a border, which is symmetric.
 double middle_of(const std::vector<Direction>& border) {
     const auto [least, most] = std::minmax_element(border.begin(), border.end());
@@ -148,24 +151,30 @@ std::optional<ExitPupil> find_exit_pupil(const LensOptics& lens,
         if (!at.valid || !(at.depth() > 0.0) || !PupilOfPoint(lens, at, 0.0).inside().has_value()) {
             return std::nullopt;
         }
-        made.largest_square = std::max(made.largest_square, std::pow(farthest(lens, at), 2));
+        made.largest_square =
+            std::max(made.largest_square, std::pow(sine_of(farthest(lens, at)), 2));
     }
-    // At knots of the table, equal steps of p², and between them. In the middle itself -g p is 0.
+    // At knots of the table, equal steps of sin² θ, and between them. In the middle itself h sin θ
+    // is 0.
     const double step = made.largest_square / cells;
-    const auto p_at = [&](double knot) { return std::sqrt(std::max(step * knot, 1e-6 * step)); };
+    const auto p_at = [&](double knot) {
+        const double square = std::max(step * knot, 1e-6 * step);
+        return std::sqrt(square / (1.0 - square));
+    };
     const FocusedOptics<double> first = focused(lens, group, vergences.front());
     std::vector<double> values;
     for (int i = 0; i <= cells; ++i) {
         const double p = p_at(i == cells ? cells - 1e-3 : i);
         const auto border = PupilOfPoint(lens, first, p).border();
-        values.push_back(border.empty() ? values.back() : -middle_of(border) / p);
+        values.push_back(border.empty() ? values.back() : -middle_of(border) / sine_of(p));
     }
     made.middle = expr::hermite_table(0.0, made.largest_square, values, slopes_of(values, step));
     for (const double vergence : vergences) {
         const FocusedOptics<double> at = focused(lens, group, vergence);
         for (int i = 0; i <= 2 * cells; ++i) {
             const double p = p_at(0.5 * i);
-            const double middle = -p * made.middle(p * p);
+            const double sine = sine_of(p);
+            const double middle = -sine * made.middle(sine * sine);
             for (const Direction& d : PupilOfPoint(lens, at, p).border()) {
                 made.radius =
                     std::max(made.radius, margin * at.depth() * std::hypot(d[0] - middle, d[1]));

@@ -77,14 +77,15 @@ public:
         const Expr scale =
             parts_.sensor ? emit(*parts_.sensor) / frame.width : emit(parts_.paraxial.focal_length);
         const std::array<Expr, 2> sensor{-(scale * frame.tangent.x), -(scale * frame.tangent.y)};
-        const std::array<Expr, 2> p{sensor[0] / depth, sensor[1] / depth};
-        const Expr square_of_p = p[0] * p[0] + p[1] * p[1];
-        const Expr lit = square_of_p <= pupil->largest_square;
-        const Expr g = emit.graph().lookup(std::make_shared<const expr::Table>(pupil->middle),
-                                           min(square_of_p, emit(pupil->largest_square)));
+        const Expr distance = sqrt(depth * depth + sensor[0] * sensor[0] + sensor[1] * sensor[1]);
+        const std::array<Expr, 2> s{sensor[0] / distance, sensor[1] / distance};
+        const Expr square_of_s = s[0] * s[0] + s[1] * s[1];
+        const Expr lit = square_of_s <= pupil->largest_square;
+        const Expr h = emit.graph().lookup(std::make_shared<const expr::Table>(pupil->middle),
+                                           min(square_of_s, emit(pupil->largest_square)));
         const auto ray = [&](const Expr& m, const Expr& n) {
             LensRay made =
-                through(frame, central.origin, at, sensor, {m - g * p[0], n - g * p[1]}, emit);
+                through(frame, central.origin, at, sensor, {m - h * s[0], n - h * s[1]}, emit);
             made.valid = lit && made.valid;
             made.blocked = !made.valid;
             return made;
@@ -215,7 +216,8 @@ std::vector<StageEntry> prescribed_lenses() {
 from P = −F (x, y) on the sensor in the direction (m, n, √(1 − m² − n²))
 (x, y)   the tangents of the pinhole's ray
 F   the focal length, or sensor divided by the width of the tangents
-(m, n) = −g P + ρ (a, b)      (a, b)   a point of the unit disc
+(m, n) = −h P/|P − Q| + ρ (a, b)      (a, b)   a point of the unit disc
+Q   the middle of the last surface,   h, ρ   so that the disc has all that passes
 at each surface   d′ = n/n′ d + (√(1 − (n/n′)² (1 − c²)) − n/n′ c) N,   c = d·N
 n, n′   the indices before and behind it,   N   its normal
 no ray that misses a hole or the stop, or that is totally reflected
