@@ -41,6 +41,11 @@ local function ask(method, params)
     return answer.result
   end
 end
+local function finish(ok, failure)
+  seen.failure = failure
+  vim.fn.writefile({ vim.json.encode(seen) }, "seen.json")
+  vim.cmd("qall!")
+end
 local function steps()
   wait(function() return #vim.diagnostic.get(0) > 0 end)
   local said = vim.diagnostic.get(0)[1]
@@ -59,9 +64,17 @@ local function steps()
 
   vim.api.nvim_win_set_cursor(0, { 4, 0 })
   vim.api.nvim_feedkeys(vim.api.nvim_replace_termcodes("olook <C-x><C-o>", true, false, true), "n", false)
-  vim.defer_fn(function()
-    local ok, failure = pcall(function()
-      seen.menu = vim.fn.complete_info({ "items" }).items[1].word
+  -- The menu comes when these functions do not run.
+  local tries = 0
+  local function end_with_menu()
+    local items = vim.fn.complete_info({ "items" }).items or {}
+    tries = tries + 1
+    if #items == 0 and tries < 300 then
+      vim.defer_fn(end_with_menu, 100)
+      return
+    end
+    finish(pcall(function()
+      seen.menu = assert(items[1], "no menu has come").word
       vim.cmd("stopinsert")
       vim.api.nvim_buf_set_lines(0, 4, 5, true, {})
       vim.api.nvim_win_set_cursor(0, { 2, 13 })
@@ -70,17 +83,14 @@ local function steps()
       vim.lsp.util.apply_text_edits(ask("textDocument/formatting", {
         textDocument = vim.lsp.util.make_text_document_params(), options = {} }), 0, "utf-16")
       seen.text = table.concat(vim.api.nvim_buf_get_lines(0, 0, -1, true), "\\n")
-    end)
-    seen.failure = failure
-    vim.fn.writefile({ vim.json.encode(seen) }, "seen.json")
-    vim.cmd("qall!")
-  end, 3000)
+    end))
+  end
+  end_with_menu()
 end
 vim.defer_fn(function()
   local ok, failure = pcall(steps)
   if not ok then
-    vim.fn.writefile({ vim.json.encode({ failure = failure, seen = seen }) }, "seen.json")
-    vim.cmd("qall!")
+    finish(ok, failure)
   end
 end, 10)
 """
