@@ -33,7 +33,7 @@ myst_heading_anchors = 4
 root_doc = "README"
 include_patterns = ["README.md", "CHANGELOG.md", "docs/**.md", "editors/README.md",
                     "packaging/README.md"]
-exclude_patterns = ["build", "docs/site", "out"]
+exclude_patterns = ["build", "docs/site", "out", "studio"]
 
 # What Pygments calls the scopes of a camera file, by the beginning of a scope.
 TOKENS = {

@@ -16,8 +16,9 @@ import re
 import sys
 from pathlib import Path
 
-FOLDERS = ("include", "src", "tests", "plates", "bench", "cmake", "scripts", "debian", ".ci")
-CODE_SUFFIXES = {".cpp", ".hpp", ".h", ".inl", ".py", ".sh"}
+FOLDERS = ("include", "src", "tests", "plates", "bench", "cmake", "scripts", "debian", "studio",
+           ".ci")
+CODE_SUFFIXES = {".cpp", ".hpp", ".h", ".inl", ".py", ".sh", ".ts", ".mjs"}
 LONGEST_FILE = 500
 LARGEST_PICTURE = 300_000
 HEADER = ["Balcony: rendering through extended cameras.", "SPDX-License-Identifier: Apache-2.0"]
@@ -59,7 +60,8 @@ def is_code(path, lines):
 
 
 def findings(root):
-    paths = [path for folder in FOLDERS for path in (root / folder).rglob("*") if path.is_file()]
+    paths = [path for folder in FOLDERS for path in (root / folder).rglob("*")
+             if path.is_file() and "node_modules" not in path.parts]
     for path in sorted(paths):
         try:
             lines = path.read_text(encoding="utf-8").splitlines()

@@ -1,0 +1,125 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// Questions to the person at the page. Each is an element <dialog>, which keeps the keyboard inside and
+// closes with Escape, and a promise of the answer.
+
+import { html, render, type TemplateResult } from "lit";
+import type { RenderOrder } from "./protocol";
+
+/** The form's fields by name, and the button that was pressed; null if it was closed. */
+function ask(title: string, body: TemplateResult | string, buttons: [string, string][]): Promise<FormData | null> {
+    const dialog = document.createElement("dialog");
+    dialog.setAttribute("aria-label", title);
+    render(
+        html`
+            <form method="dialog">
+                <h2>${title}</h2>
+                ${body}
+                <p class="buttons">
+                    <button type="button" @click=${() => dialog.close()}>${buttons.length > 0 ? "Cancel" : "Close"}</button>
+                    ${buttons.map(
+                        ([value, words], index) =>
+                            html`<button class=${index === buttons.length - 1 ? "main" : ""} value=${value}>${words}</button>`,
+                    )}
+                </p>
+            </form>
+        `,
+        dialog,
+    );
+    document.body.append(dialog);
+    dialog.showModal();
+    return new Promise((resolve) => {
+        let answer: FormData | null = null;
+        dialog.querySelector("form")!.addEventListener("submit", (event) => {
+            answer = new FormData(event.target as HTMLFormElement, event.submitter);
+            answer.set("button", (event.submitter as HTMLButtonElement | null)?.value ?? "");
+        });
+        dialog.addEventListener("close", () => {
+            dialog.remove();
+            resolve(answer);
+        });
+    });
+}
+
+const numberField = (name: string, words: string, value: number, most: number) => html`
+    <label><span>${words}</span><input type="number" name=${name} value=${value} min="1" max=${most} required /></label>
+`;
+
+export async function askForRender(size: [number, number]): Promise<RenderOrder | null> {
+    const answer = await ask(
+        "Render in full quality",
+        html`
+            <div class="fields">
+                ${numberField("width", "Width", size[0], 65536)} ${numberField("height", "Height", size[1], 65536)}
+                ${numberField("samples", "Samples a pixel", 64, 65536)}
+                <label>
+                    <span>File</span>
+                    <select name="output">
+                        <option value="png">PNG, for the screen</option>
+                        <option value="exr">EXR, with all its light</option>
+                    </select>
+                </label>
+            </div>
+        `,
+        [["render", "Render"]],
+    );
+    if (!answer) return null;
+    const number = (name: string): number => Number(answer.get(name));
+    return {
+        width: number("width"),
+        height: number("height"),
+        samples: number("samples"),
+        output: answer.get("output") === "exr" ? "exr" : "png",
+    };
+}
+
+export async function askForSize(size: [number, number]): Promise<string | null> {
+    const answer = await ask(
+        "Size of the picture",
+        html`<div class="fields">
+            ${numberField("width", "Width", size[0], 4096)} ${numberField("height", "Height", size[1], 4096)}
+        </div>`,
+        [["size", "Show"]],
+    );
+    return answer && `${answer.get("width")}x${answer.get("height")}`;
+}
+
+export async function confirm(title: string, words: string, action: string): Promise<boolean> {
+    return (await ask(title, html`<p>${words}</p>`, [["yes", action]])) !== null;
+}
+
+export async function showText(title: string, text: string, fileName: string | null): Promise<void> {
+    const answer = await ask(
+        title,
+        html`<textarea readonly rows="14" cols="80" aria-label=${title} .value=${text}></textarea>`,
+        fileName ? [["save", "Download"], ["copy", "Copy"]] : [["copy", "Copy"]],
+    );
+    if (answer?.get("button") === "copy") await navigator.clipboard.writeText(text);
+    if (answer?.get("button") === "save" && fileName) {
+        const link = document.createElement("a");
+        link.href = URL.createObjectURL(new Blob([text], { type: "text/plain" }));
+        link.download = fileName;
+        link.click();
+        URL.revokeObjectURL(link.href);
+    }
+}
+
+const keys: [string, string][] = [
+    ["Ctrl+S", "save the file"],
+    ["Ctrl+Enter", "render in full quality"],
+    ["Alt+1, Alt+2", "go to the text, to the sliders"],
+    ["Ctrl+Z, Ctrl+Y", "undo, redo, also what a slider has changed"],
+    ["Ctrl+Space", "show what can stand at the cursor"],
+    ["Tab", "go to the next blank of a call, or leave the text"],
+    ["F8", "go to the next mistake"],
+    ["F12", "go to where a name is declared"],
+    ["Shift+Alt+F", "format the text"],
+    ["Ctrl+F", "find and replace"],
+    ["arrows on a slider", "move it by a step"],
+];
+
+export async function showKeys(): Promise<void> {
+    const rows = keys.map(([key, words]) => html`<dt><kbd>${key}</kbd></dt><dd>${words}</dd>`);
+    await ask("Keys", html`<dl class="keys">${rows}</dl>`, []);
+}

@@ -1,0 +1,122 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// The picture, and over it what keeps it from following the text.
+
+import { html, LitElement, nothing } from "lit";
+import type { Problem } from "./language_server";
+import type { FrameHead } from "./protocol";
+
+const types = { jpeg: "image/jpeg", png: "image/png" };
+
+async function decoded(head: FrameHead, bytes: Uint8Array): Promise<ImageBitmap> {
+    if (head.format !== "rgb") {
+        return createImageBitmap(new Blob([bytes as Uint8Array<ArrayBuffer>], { type: types[head.format] }));
+    }
+    const pixels = new Uint8ClampedArray(4 * head.width * head.height).fill(255);
+    for (let i = 0, from = 0; i < pixels.length; i += 4, from += 3) {
+        pixels[i] = bytes[from]!;
+        pixels[i + 1] = bytes[from + 1]!;
+        pixels[i + 2] = bytes[from + 2]!;
+    }
+    return createImageBitmap(new ImageData(pixels, head.width, head.height));
+}
+
+export class LivePicture extends LitElement {
+    static override properties = {
+        problem: { attribute: false },
+        waiting: {},
+        label: {},
+        ratio: { type: Number },
+    };
+    declare problem: Problem | null;
+    declare waiting: string;
+    declare label: string;
+    /** Width / height of the picture at rest; a coarse one may differ by a pixel. */
+    declare ratio: number;
+    /** Makes a mistake go away, or shows it. */
+    onfix: (problem: Problem, fix: number) => void = () => {};
+    onplace: (problem: Problem) => void = () => {};
+    private received = 0;
+    private drawn = 0;
+    private hasPicture = false;
+
+    constructor() {
+        super();
+        this.problem = null;
+        this.waiting = "";
+        this.label = "";
+        this.ratio = 16 / 9;
+    }
+
+    /** The style sheet of the page holds for it. */
+    override createRenderRoot() {
+        return this;
+    }
+
+    /** The room of the picture in pixels of the screen. */
+    get room(): [number, number] {
+        const { clientWidth, clientHeight } = this;
+        return [clientWidth * devicePixelRatio, clientHeight * devicePixelRatio];
+    }
+
+    /** Resolves when it is on the canvas, to false if a newer one came first. */
+    async show(head: FrameHead, bytes: Uint8Array): Promise<boolean> {
+        const order = ++this.received;
+        const image = await decoded(head, bytes);
+        if (order < this.drawn) {
+            image.close();
+            return false;
+        }
+        this.drawn = order;
+        const canvas = this.querySelector("canvas")!;
+        if (canvas.width !== head.width || canvas.height !== head.height) {
+            canvas.width = head.width;
+            canvas.height = head.height;
+        }
+        canvas.getContext("2d", { alpha: false })!.drawImage(image, 0, 0);
+        image.close();
+        if (!this.hasPicture) {
+            this.hasPicture = true;
+            this.requestUpdate();
+        }
+        return true;
+    }
+
+    override updated(): void {
+        this.style.setProperty("--ratio", String(this.ratio));
+    }
+
+    override render() {
+        const { problem } = this;
+        return html`
+            <div class="frame ${problem ? "stale" : ""} ${this.hasPicture ? "" : "empty"}">
+                <canvas role="img" aria-label=${this.label} width="16" height="9"></canvas>
+            </div>
+            ${problem ? this.message(problem) : nothing}
+            ${this.waiting && !problem
+                ? html`<div class="waiting"><span class="spinner"></span>${this.waiting}</div>`
+                : nothing}
+        `;
+    }
+
+    private message(problem: Problem) {
+        const [said, ...remedy] = problem.message.split("\n");
+        return html`
+            <div class="message" role="alert">
+                <p><strong>${said}</strong></p>
+                ${remedy.length > 0 ? html`<p class="quiet">${remedy.join("\n")}</p>` : nothing}
+                <p class="actions">
+                    ${problem.fixes.map(
+                        ({ title }, index) =>
+                            html`<button class="main" @click=${() => this.onfix(problem, index)}>${title}</button>`,
+                    )}
+                    <button @click=${() => this.onplace(problem)}>Go to line ${problem.line}</button>
+                </p>
+                ${this.hasPicture ? html`<p class="quiet">The picture is that of the last good text.</p>` : nothing}
+            </div>
+        `;
+    }
+}
+
+customElements.define("live-picture", LivePicture);

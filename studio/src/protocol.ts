@@ -1,0 +1,139 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// What the page and the server tell each other: docs/studio.md.
+
+export const protocol = 1;
+
+/** Of a text: lines from 0, and code units of UTF-16 in a line. */
+export interface Position {
+    line: number;
+    character: number;
+}
+
+export interface Range {
+    start: Position;
+    end: Position;
+}
+
+export interface TextEdit {
+    range: Range;
+    newText: string;
+}
+
+export interface FileDiagnostic {
+    range: Range;
+    severity: 1 | 2;
+    message: string;
+}
+
+export interface CodeAction {
+    title: string;
+    diagnostics: FileDiagnostic[];
+    edit: { changes: Record<string, TextEdit[]> };
+}
+
+export interface DocumentSymbol {
+    name: string;
+    detail?: string;
+    kind: number;
+    selectionRange: Range;
+}
+
+/** What the answer of `initialize` says about the file and its scene. */
+export interface About {
+    protocol: number;
+    version: string;
+    session: string;
+    uri: string;
+    text: string;
+    textVersion: number;
+    savedVersion: number | null;
+    camera: string;
+    scene: string;
+    readOnly: boolean;
+    size: [number, number];
+    languages?: string[];
+}
+
+/** A number of the camera. Angles are in radians. */
+export interface Parameter {
+    name: string;
+    value: number;
+    default: number;
+    unit: string;
+    min?: number;
+    max?: number;
+    minExcluded?: boolean;
+    meaning?: string;
+}
+
+export interface ParameterValue {
+    parameter: string;
+    value: number;
+}
+
+export interface CameraState {
+    change: number;
+    name: string;
+    diagnostics: FileDiagnostic[];
+    open: Parameter[];
+    closed: Parameter[];
+    aspect?: number;
+}
+
+export interface ViewChange {
+    camera?: string;
+    values?: ParameterValue[];
+    size?: [number, number];
+    exposure?: boolean;
+}
+
+export type Quality = "coarse" | "preview" | "paths" | "denoised";
+
+/** The head of a binary message. */
+export interface FrameHead {
+    kind: string;
+    change: number;
+    quality: Quality;
+    width: number;
+    height: number;
+    samples: number;
+    seconds: number;
+    format: "jpeg" | "png" | "rgb";
+}
+
+export interface SceneState {
+    state: "loading" | "ready" | "failed";
+    message?: string;
+}
+
+export interface NewText {
+    version: number;
+    text: string;
+}
+
+export interface RenderOrder {
+    width: number;
+    height: number;
+    samples: number;
+    output: "png" | "exr";
+}
+
+export interface RenderProgress {
+    id: number;
+    done: number;
+    seconds: number;
+}
+
+export interface RenderDone {
+    id: number;
+    file: string;
+    warnings: string[];
+}
+
+/** The error codes that the page acts on. */
+export enum Refused {
+    methodNotFound = -32601,
+    changed = -32001,
+}

@@ -1,0 +1,313 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// What the page knows of its server, and how both keep one text and one picture. It has no elements.
+
+import type { ChangeSet, Text } from "@codemirror/state";
+import { Connection, type Listener, Lost } from "./connection";
+import type { KnownValue } from "./known_values";
+import { cameraNames, positionOf, type Problem, problemsOf } from "./language_server";
+import { Latency } from "./latency";
+import {
+    type About,
+    type CameraState,
+    type CodeAction,
+    type DocumentSymbol,
+    type FileDiagnostic,
+    type FrameHead,
+    type NewText,
+    type ParameterValue,
+    protocol,
+    type RenderDone,
+    type RenderProgress,
+    type SceneState,
+    type TextEdit,
+    type ViewChange,
+} from "./protocol";
+import { SharedText } from "./shared_text";
+import type { Doing, Link } from "./state_words";
+
+/** The elements of the page, as far as the session changes them. */
+export interface Page {
+    text(): Text;
+    begin(about: About): void;
+    take(changes: ChangeSet): void;
+    edit(edits: TextEdit[]): void;
+    showProblems(problems: Problem[]): void;
+    showValues(values: KnownValue[]): void;
+    /** Whether it is shown, and no newer one. */
+    show(head: FrameHead, bytes: Uint8Array): Promise<boolean>;
+    /** Something to read once. */
+    say(words: string, isMistake?: boolean): void;
+    /** Something else has changed. */
+    changed(): void;
+}
+
+/** How long the text rests before its values are asked for. */
+const pause = 200;
+
+export class Session implements Listener {
+    about: About | null = null;
+    link: Link = "connecting";
+    scene: SceneState = { state: "loading" };
+    camera: CameraState | null = null;
+    cameras: string[] = [];
+    /** By its name in the file; the last one if empty. */
+    chosen = "";
+    shown: FrameHead | null = null;
+    isAtRest = false;
+    /** What is being rendered in full quality. */
+    render: RenderProgress | null = null;
+    readonly latency = new Latency();
+    readonly connection: Connection;
+    private readonly text = new SharedText((version, text) => this.send(version, text));
+    private savedText: string | null = null;
+    private textProblems: Problem[] = [];
+    private size: [number, number] | null = null;
+    private timer = 0;
+
+    constructor(
+        address: string,
+        private readonly page: Page,
+    ) {
+        this.connection = new Connection(address, this);
+    }
+
+    get doing(): Doing {
+        const { link, scene, isAtRest } = this;
+        return { link, scene, isAtRest, frame: this.shown, hasError: this.error !== null };
+    }
+
+    /** Of the text, and of the picture what is not said by those. */
+    get problems(): Problem[] {
+        const text = this.page.text();
+        const ofPicture = this.about ? problemsOf(text, this.camera?.diagnostics ?? [], [], this.about.uri) : [];
+        const said = new Set(this.textProblems.map(({ message }) => message));
+        return [...this.textProblems, ...ofPicture.filter(({ message }) => !said.has(message))];
+    }
+
+    /** What keeps the picture from following, or null. */
+    get error(): Problem | null {
+        return this.problems.find(({ severity }) => severity === "error") ?? null;
+    }
+
+    get isSaved(): boolean {
+        return this.savedText === this.page.text().toString();
+    }
+
+    /** Asks about the text as it is in the editor. */
+    ask = async <Result>(method: string, params: object): Promise<Result> => {
+        await this.text.whenSent();
+        return this.connection.request<Result>(method, { textDocument: { uri: this.about!.uri }, ...params });
+    };
+
+    // The connection.
+
+    async opened(): Promise<void> {
+        const { studio } = await this.connection.request<{ studio: About }>("initialize", {
+            processId: null,
+            rootUri: null,
+            capabilities: { textDocument: { completion: { completionItem: { snippetSupport: true } } } },
+        });
+        if (studio.protocol !== protocol) {
+            this.link = "foreign";
+            this.page.changed();
+            return;
+        }
+        this.connection.notify("initialized", {});
+        this.connection.notify("textDocument/didOpen", {
+            textDocument: { uri: studio.uri, languageId: "balcony", version: studio.textVersion, text: studio.text },
+        });
+        const before = this.about;
+        this.about = studio;
+        this.link = "open";
+        this.isAtRest = false;
+        if (before) this.goOn(before, studio);
+        else this.begin(studio);
+        this.page.changed();
+        await this.findNames();
+        this.findValuesSoon();
+    }
+
+    private begin(about: About): void {
+        this.text.begin(about.textVersion, about.text);
+        this.chosen = about.camera;
+        this.savedText = about.savedVersion === about.textVersion ? about.text : null;
+        this.page.begin(about);
+    }
+
+    /** After a lost connection: nothing that was typed here is lost. */
+    private goOn(before: About, about: About): void {
+        if (before.session === about.session) {
+            const changes = this.text.reconnected(about.textVersion, about.text);
+            if (changes) this.page.take(changes);
+        } else {
+            const mine = this.page.text().toString();
+            if (this.savedText !== null && about.text !== this.savedText && about.text !== mine) {
+                this.page.say("The file has changed on the disk. This is your text; saving it replaces the file.", true);
+            }
+            this.savedText = about.savedVersion === about.textVersion ? about.text : null;
+            this.text.restarted(about.textVersion, about.text, mine);
+        }
+        if (this.size) this.changeView({ size: this.size, camera: this.chosen });
+    }
+
+    lost(isRefused: boolean): void {
+        this.link = isRefused ? "refused" : this.about ? "lost" : "connecting";
+        this.text.disconnected();
+        this.render = null;
+        this.page.changed();
+    }
+
+    told(method: string, params: unknown): void {
+        this.notices[method]?.(params as never);
+        this.page.changed();
+    }
+
+    private readonly notices: Record<string, (params: never) => void> = {
+        "textDocument/publishDiagnostics": (told: { version?: number; diagnostics: FileDiagnostic[] }) =>
+            void this.findFixes(told),
+        "studio/text": ({ version, text }: NewText) => {
+            const changes = this.text.told(version, text);
+            if (changes) this.page.take(changes);
+            this.findValuesSoon();
+        },
+        "studio/saved": ({ version }: { version: number }) => void this.wasSaved(version),
+        "studio/scene": (state: SceneState) => (this.scene = state),
+        "view/camera": (state: CameraState) => {
+            this.camera = state;
+            this.isAtRest = false;
+            this.showProblems();
+        },
+        "view/rest": () => (this.isAtRest = true),
+        "render/progress": (progress: RenderProgress) => (this.render = progress),
+        "render/done": ({ file, warnings }: RenderDone) => {
+            this.render = null;
+            this.page.say([`Wrote ${file}`, ...warnings].join("\n"));
+        },
+    };
+
+    async frame(head: FrameHead, bytes: Uint8Array): Promise<void> {
+        if (head.kind !== "frame") return;
+        const isShown = await this.page.show(head, bytes);
+        this.connection.notify("view/seen", { change: head.change });
+        if (!isShown) return;
+        this.latency.drawn(head.change);
+        this.shown = head;
+        this.scene = { state: "ready" };
+        this.page.changed();
+    }
+
+    // The text.
+
+    /** The editor has changed its text. */
+    typed(changes: ChangeSet): void {
+        this.text.made(changes);
+        this.findValuesSoon();
+        this.page.changed();
+    }
+
+    /** The answer of the question behind an edit tells that the edit was handled. */
+    private async send(version: number, text: string): Promise<void> {
+        this.connection.notify("textDocument/didChange", {
+            textDocument: { uri: this.about!.uri, version },
+            contentChanges: [{ text }],
+        });
+        await this.findNames();
+    }
+
+    private async findNames(): Promise<void> {
+        const symbols = await this.connection.request<DocumentSymbol[]>("textDocument/documentSymbol", {
+            textDocument: { uri: this.about!.uri },
+        });
+        this.cameras = cameraNames(symbols);
+        this.page.changed();
+    }
+
+    private findValuesSoon(): void {
+        clearTimeout(this.timer);
+        this.timer = window.setTimeout(() => {
+            this.findValues().catch(() => {}); // Of a lost connection: they are asked for again.
+        }, pause);
+    }
+
+    private async findValues(): Promise<void> {
+        const text = this.page.text();
+        const range = { start: { line: 0, character: 0 }, end: positionOf(text, text.length) };
+        const values = await this.ask<KnownValue[]>("textDocument/inlayHint", { range });
+        if (this.page.text() === text) this.page.showValues(values);
+    }
+
+    private async findFixes(told: { version?: number; diagnostics: FileDiagnostic[] }): Promise<void> {
+        // Of an older text: those of the newest one come soon.
+        const isCurrent = (): boolean =>
+            this.text.isSettled && (told.version === undefined || told.version === this.text.version);
+        await this.text.whenSettled();
+        if (!isCurrent()) return;
+        const text = this.page.text();
+        const range = { start: { line: 0, character: 0 }, end: positionOf(text, text.length) };
+        const actions =
+            told.diagnostics.length === 0
+                ? []
+                : await this.ask<CodeAction[]>("textDocument/codeAction", { range, context: { diagnostics: [] } });
+        if (!isCurrent()) return;
+        this.textProblems = problemsOf(this.page.text(), told.diagnostics, actions, this.about!.uri);
+        this.showProblems();
+        this.page.changed();
+    }
+
+    private showProblems(): void {
+        this.page.showProblems(this.problems);
+    }
+
+    async format(): Promise<void> {
+        const edits = await this.ask<TextEdit[] | null>("textDocument/formatting", { options: {} });
+        if (edits) this.page.edit(edits);
+        else this.page.say("A text with errors is not formatted.", true);
+    }
+
+    // The picture.
+
+    changeView(change: ViewChange): void {
+        if (change.size) this.size = change.size;
+        if (change.camera !== undefined) this.chosen = change.camera;
+        if (this.link !== "open") return;
+        this.isAtRest = false;
+        const number = this.connection.request<{ change: number }>("view/change", change);
+        // A new size or camera is not what a hand waits for.
+        if (change.values) this.latency.begin(number.then(({ change }) => change));
+        else number.catch(() => {}); // Of a lost connection.
+    }
+
+    /** Writes values into the text, as one step of undo. */
+    async write(values: ParameterValue[]): Promise<void> {
+        for (;;) {
+            await this.text.whenSettled();
+            const made = await this.connection.request<{ edits: TextEdit[]; version: number }>("text/set", { values });
+            // Otherwise something was typed meanwhile, and the edits are not of this text.
+            if (this.text.isSettled && made.version === this.text.version) {
+                this.page.edit(made.edits);
+                await this.text.whenSettled();
+                return;
+            }
+        }
+    }
+
+    // The file.
+
+    /** Throws a Refusal. */
+    async save(force: boolean): Promise<void> {
+        await this.text.whenSettled();
+        await this.connection.request("file/save", force ? { force } : {});
+    }
+
+    private async wasSaved(version: number): Promise<void> {
+        await this.text.whenSettled();
+        if (version === this.text.version) this.savedText = this.page.text().toString();
+        this.page.changed();
+    }
+}
+
+/** What to say about a failure; null if the state says it already. */
+export const failureOf = (failure: unknown): string | null =>
+    failure instanceof Lost ? null : failure instanceof Error ? failure.message : String(failure);

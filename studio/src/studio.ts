@@ -1,0 +1,308 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// The page: its parts, and what each of them tells the others.
+
+import { type ChangeSet, Text } from "@codemirror/state";
+import { html, LitElement } from "lit";
+import { Refusal } from "./connection";
+import { askForRender, askForSize, confirm, showKeys, showText } from "./dialogs";
+import type { CameraEditor } from "./editor";
+import "./editor";
+import type { Problem } from "./language_server";
+import type { LivePicture } from "./picture";
+import "./picture";
+import { choiceOf, sizeOf, type SizeChoice } from "./picture_size";
+import { problemList } from "./problem_list";
+import { type About, type FrameHead, type Parameter, type ParameterValue, Refused } from "./protocol";
+import { failureOf, type Page, Session } from "./session";
+import type { ParameterSliders } from "./sliders";
+import "./sliders";
+import { splitter } from "./splitter";
+import { wordsOf } from "./state_words";
+import { chooseTheme, chosenTheme, showTheme } from "./theme";
+import { toolbar, type ToolbarActions } from "./toolbar";
+
+/** How long words stay that are to be read once, in milliseconds. */
+const noticeTime = 7000;
+
+export class BalconyStudio extends LitElement implements Page {
+    readonly session = new Session(`ws://${location.host}/live${location.search}`, this);
+    private size: SizeChoice = { kind: "fit" };
+    private pixels: [number, number] = [0, 0];
+    private notice: { words: string; isMistake: boolean } | null = null;
+    private noticeTimer = 0;
+
+    override createRenderRoot() {
+        return this;
+    }
+
+    private get editor(): CameraEditor {
+        return this.querySelector<CameraEditor>("camera-editor")!;
+    }
+
+    private get picture(): LivePicture {
+        return this.querySelector<LivePicture>("live-picture")!;
+    }
+
+    private get sliders(): ParameterSliders {
+        return this.querySelector<ParameterSliders>("parameter-sliders")!;
+    }
+
+    override connectedCallback(): void {
+        super.connectedCallback();
+        // Before the editor, which has other uses for some keys.
+        addEventListener("keydown", (event) => this.pressed(event), { capture: true });
+        addEventListener("beforeunload", (event) => {
+            if (this.session.about && !this.session.about.readOnly && !this.session.isSaved) event.preventDefault();
+        });
+    }
+
+    override firstUpdated(): void {
+        let timer = 0;
+        new ResizeObserver(() => {
+            clearTimeout(timer);
+            timer = window.setTimeout(() => this.fit(), 120);
+        }).observe(this.picture);
+        this.picture.onfix = (problem, fix) => this.mend(problem, fix);
+        this.picture.onplace = (problem) => this.editor.goTo(problem.from);
+        this.sliders.onmove = (values) => this.session.changeView({ values });
+        this.sliders.onrest = (values) => void this.write(values);
+        this.session.connection.open();
+    }
+
+    // What the session changes.
+
+    text(): Text {
+        return this.querySelector<CameraEditor>("camera-editor")?.document ?? Text.empty;
+    }
+
+    begin(about: About): void {
+        const { session } = this;
+        this.editor.begin(about.text, about.readOnly, {
+            ask: session.ask,
+            changed: (changes: ChangeSet) => session.typed(changes),
+            format: () => this.attempt(session.format()),
+        });
+        document.title = `${about.uri.slice(about.uri.lastIndexOf("/") + 1)} – Balcony studio`;
+        this.fit();
+    }
+
+    take(changes: ChangeSet): void {
+        this.editor.take(changes);
+    }
+
+    edit(...edits: Parameters<CameraEditor["edit"]>): void {
+        this.editor.edit(...edits);
+    }
+
+    showProblems(problems: Problem[]): void {
+        this.editor.showProblems(problems);
+    }
+
+    showValues(...values: Parameters<CameraEditor["showValues"]>): void {
+        this.editor.showValues(...values);
+    }
+
+    show(head: FrameHead, bytes: Uint8Array): Promise<boolean> {
+        return this.picture.show(head, bytes);
+    }
+
+    say(words: string, isMistake = false): void {
+        this.notice = { words, isMistake };
+        clearTimeout(this.noticeTimer);
+        this.noticeTimer = window.setTimeout(() => {
+            this.notice = null;
+            this.changed();
+        }, noticeTime);
+        this.changed();
+    }
+
+    changed(): void {
+        this.requestUpdate();
+    }
+
+    // What the person does.
+
+    private readonly actions: ToolbarActions = {
+        camera: (name) => {
+            this.sliders.forget();
+            this.session.changeView({ camera: name, values: [] });
+            this.changed();
+        },
+        size: (name) => void this.resize(name),
+        save: () => this.attempt(this.save()),
+        render: () => this.attempt(this.render_()),
+        stop: () => {
+            const { render, connection } = this.session;
+            if (render) this.attempt(connection.request("render/stop", { id: render.id }));
+        },
+        command: () => this.attempt(this.copyCommand()),
+        expose: () => this.session.changeView({ exposure: true }),
+        format: () => this.attempt(this.session.format()),
+        export: (language) => this.attempt(this.export(language)),
+        theme: (theme) => {
+            chooseTheme(theme);
+            this.changed();
+        },
+        keys: () => void showKeys(),
+    };
+
+    private pressed(event: KeyboardEvent): void {
+        const control = event.ctrlKey || event.metaKey;
+        const act = control && event.key === "s"
+            ? this.actions.save
+            : control && event.key === "Enter"
+              ? this.actions.render
+              : event.altKey && event.key === "1"
+                ? () => this.editor.focus()
+                : event.altKey && event.key === "2"
+                  ? () => this.sliders.querySelector("input")?.focus()
+                  : event.key === "F1"
+                    ? this.actions.keys
+                    : this.undoKey(event, control);
+        if (!act || document.querySelector("dialog")) return;
+        event.preventDefault();
+        event.stopPropagation();
+        act();
+    }
+
+    /** Undo in the text also from the sliders. */
+    private undoKey(event: KeyboardEvent, control: boolean): (() => void) | null {
+        const at = event.composedPath()[0] as HTMLElement;
+        const isInText = at.closest(".cm-editor") !== null || (at as HTMLInputElement).type === "text";
+        if (!control || isInText) return null;
+        if (event.key === "y" || (event.key.toLowerCase() === "z" && event.shiftKey)) return () => this.editor.redo();
+        return event.key === "z" ? () => this.editor.undo() : null;
+    }
+
+    private attempt(action: Promise<unknown>): void {
+        action.catch((failure: unknown) => {
+            const words = failureOf(failure);
+            if (words) this.say(words, true);
+        });
+    }
+
+    private mend(problem: Problem, fix: number): void {
+        this.editor.change(problem.fixes[fix]!.changes);
+        this.editor.focus();
+    }
+
+    private async write(values: ParameterValue[]): Promise<void> {
+        try {
+            await this.session.write(values);
+            this.sliders.settle(values);
+        } catch (failure) {
+            const words = failureOf(failure);
+            if (!words) return; // The values go into the text when the server is back.
+            this.say(words, true);
+            this.sliders.forget();
+        }
+        this.session.changeView({ values: this.sliders.values });
+    }
+
+    private fit(): void {
+        const [width, height] = sizeOf(this.size, this.session.camera?.aspect ?? 16 / 9, this.picture.room);
+        if (width === this.pixels[0] && height === this.pixels[1]) return;
+        this.pixels = [width, height];
+        this.session.changeView({ size: this.pixels });
+        this.changed();
+    }
+
+    private async resize(name: string): Promise<void> {
+        const choice = choiceOf(name === "other" ? ((await askForSize(this.pixels)) ?? "") : name);
+        if (choice) this.size = choice;
+        this.fit();
+        this.changed();
+    }
+
+    private async save(): Promise<void> {
+        try {
+            await this.session.save(false);
+        } catch (failure) {
+            if (!(failure instanceof Refusal) || failure.code !== Refused.changed) throw failure;
+            const isForced = await confirm("The file has changed on the disk", failure.message, "Replace it");
+            if (!isForced) return;
+            await this.session.save(true);
+        }
+        this.say("Saved");
+    }
+
+    private async render_(): Promise<void> {
+        const aspect = this.pixels[0] / this.pixels[1];
+        const order = await askForRender([1920, Math.round(1920 / aspect)]);
+        if (!order) return;
+        const { id } = await this.session.connection.request<{ id: number }>("render/start", order);
+        this.session.render ??= { id, done: 0, seconds: 0 };
+        this.changed();
+    }
+
+    private async copyCommand(): Promise<void> {
+        const { line } = await this.session.connection.request<{ line: string }>("command", {});
+        try {
+            await navigator.clipboard.writeText(line);
+            this.say(`Copied:\n${line}`);
+        } catch {
+            await showText("The command line", line, null);
+        }
+    }
+
+    private async export(language: string): Promise<void> {
+        const { text } = await this.session.connection.request<{ text: string }>("export", { language });
+        await showText(`The camera in ${language}`, text, `${this.session.camera?.name ?? "camera"}.${language}.txt`);
+    }
+
+    // What is seen.
+
+    override updated(): void {
+        if (this.session.camera) this.fit();
+    }
+
+    override render() {
+        const { session } = this;
+        const words = wordsOf(session.doing);
+        const { camera, error, shown, latency } = session;
+        const follows = latency.typical;
+        const go = (problem: Problem): void => this.editor.goTo(problem.from);
+        const parameters: Parameter[] = camera ? [...camera.open, ...camera.closed] : [];
+        return html`
+            ${toolbar({ session, size: this.size, pixels: this.pixels, theme: chosenTheme() }, this.actions)}
+            <main>
+                <section class="seen" aria-label="Picture">
+                    <live-picture
+                        .problem=${error}
+                        .waiting=${shown ? "" : words.text}
+                        .ratio=${this.pixels[1] > 0 ? this.pixels[0] / this.pixels[1] : 16 / 9}
+                        .label="Picture of the camera ${camera?.name ?? ""}"
+                    ></live-picture>
+                    <div class="status ${words.kind}">
+                        <span class="dot"></span>
+                        <span id="state" role="status">${words.text}</span>
+                        ${words.advice ? html`<span class="quiet">${words.advice}</span>` : ""}
+                        <span class="space"></span>
+                        <span class="quiet" ?hidden=${follows === null} title="From the hand to the picture, typically">
+                            ${Math.round(follows ?? 0)} ms
+                        </span>
+                        <span class="quiet">${this.pixels[0]} × ${this.pixels[1]}</span>
+                    </div>
+                    <parameter-sliders
+                        aria-label="Numbers of the camera"
+                        .parameters=${parameters}
+                        .isReadOnly=${session.about?.readOnly ?? true}
+                    ></parameter-sliders>
+                </section>
+                ${splitter()}
+                <section class="written" aria-label="Text">
+                    <camera-editor></camera-editor>
+                    ${problemList(session.problems, go, (problem, fix) => this.mend(problem, fix))}
+                </section>
+            </main>
+            <div class="notice ${this.notice?.isMistake ? "mistake" : ""}" role="alert" ?hidden=${!this.notice}
+                >${this.notice?.words ?? ""}</div
+            >
+        `;
+    }
+}
+
+showTheme();
+customElements.define("balcony-studio", BalconyStudio);

@@ -1,0 +1,162 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// The bar above the picture.
+
+import { html, nothing } from "lit";
+import { live } from "lit/directives/live.js";
+import { nameOf, type SizeChoice, widths } from "./picture_size";
+import type { Session } from "./session";
+import { type Theme, themes } from "./theme";
+
+export interface ToolbarActions {
+    camera(name: string): void;
+    /** By the words of choiceOf(). */
+    size(name: string): void;
+    save(): void;
+    render(): void;
+    stop(): void;
+    command(): void;
+    expose(): void;
+    format(): void;
+    export(language: string): void;
+    theme(theme: Theme): void;
+    keys(): void;
+}
+
+const fileName = (uri: string): string => decodeURIComponent(uri.slice(uri.lastIndexOf("/") + 1));
+const valueOf = (event: Event): string => (event.target as HTMLSelectElement).value;
+
+function cameraChoice({ cameras, chosen }: Session, actions: ToolbarActions) {
+    const last = cameras.at(-1) ?? "";
+    const names = chosen && !cameras.includes(chosen) ? [chosen, ...cameras] : cameras;
+    return html`
+        <label class="choice">
+            <span>Camera</span>
+            <select id="camera" .value=${live(chosen || last)} @change=${(event: Event) => actions.camera(valueOf(event))}>
+                ${names.map((name) => html`<option value=${name} ?selected=${name === (chosen || last)}>${name}</option>`)}
+            </select>
+        </label>
+    `;
+}
+
+function sizeChoice(size: SizeChoice, pixels: [number, number], actions: ToolbarActions) {
+    const name = nameOf(size);
+    const isListed = size.kind === "fit" || (size.kind === "wide" && widths.includes(size.width));
+    const option = (value: string, words: string) =>
+        html`<option value=${value} ?selected=${value === name}>${words}</option>`;
+    return html`
+        <label class="choice">
+            <span>Size</span>
+            <select
+                id="size"
+                title="${pixels[0]} × ${pixels[1]} pixels"
+                .value=${live(name)}
+                @change=${(event: Event) => actions.size(valueOf(event))}
+            >
+                ${option("fit", "Fit the window")}
+                ${widths.map((width) => option(String(width), `${width} wide`))}
+                ${isListed ? nothing : option(name, size.kind === "exact" ? size.size.join(" × ") : `${name} wide`)}
+                ${option("other", "Other…")}
+            </select>
+        </label>
+    `;
+}
+
+function renderButton({ render }: Session, actions: ToolbarActions) {
+    if (!render) {
+        return html`<button class="main" id="render" title="Render in full quality (Ctrl+Enter)" @click=${actions.render}>
+            Render…
+        </button>`;
+    }
+    const part = Math.round(100 * render.done);
+    return html`
+        <span class="progress">
+            <progress max="100" value=${part} aria-label="Rendering"></progress>
+            <span>${part}%</span>
+            <button id="stop" @click=${actions.stop}>Stop</button>
+        </span>
+    `;
+}
+
+function menu(session: Session, theme: Theme, actions: ToolbarActions) {
+    const item = (id: string, words: string, keys: string, act: () => void) =>
+        html`<button id=${id} role="menuitem" @click=${act}><span>${words}</span><kbd>${keys}</kbd></button>`;
+    const languages = session.about?.languages ?? [];
+    return html`
+        <details class="menu" @keydown=${closeOnEscape} @focusout=${closeOnLeave}>
+            <summary aria-label="More" title="More" role="button">⋯</summary>
+            <div class="items" role="menu" @click=${closeOnChoice}>
+                ${item("command", "Copy the command line", "", actions.command)}
+                ${item("format", "Format the text", "Shift+Alt+F", actions.format)}
+                ${item("expose", "Expose for this picture", "", actions.expose)}
+                ${languages.length > 0
+                    ? html`<div class="group" role="group" aria-label="Export the camera to">
+                          <span class="heading">Export the camera to</span>
+                          ${languages.map((name) => item(`export-${name}`, name, "", () => actions.export(name)))}
+                      </div>`
+                    : nothing}
+                <div class="group themes" role="group" aria-label="Colours">
+                    <span class="heading">Colours</span>
+                    ${themes.map(
+                        (name) =>
+                            html`<button
+                                role="menuitemradio"
+                                aria-checked=${name === theme}
+                                id="theme-${name}"
+                                @click=${() => actions.theme(name)}
+                            >
+                                ${name}
+                            </button>`,
+                    )}
+                </div>
+                ${item("keys", "Keys", "F1", actions.keys)}
+                <a role="menuitem" href="/licences.txt" target="_blank" rel="noopener">Licences</a>
+            </div>
+        </details>
+    `;
+}
+
+const menuOf = (event: Event): HTMLDetailsElement => (event.currentTarget as HTMLElement).closest("details")!;
+
+function closeOnEscape(event: KeyboardEvent): void {
+    if (event.key !== "Escape") return;
+    const details = menuOf(event);
+    details.open = false;
+    details.querySelector("summary")!.focus();
+}
+
+function closeOnLeave(event: FocusEvent): void {
+    const details = menuOf(event);
+    if (!details.contains(event.relatedTarget as Node | null)) details.open = false;
+}
+
+function closeOnChoice(event: Event): void {
+    menuOf(event).open = false;
+}
+
+export interface Shown {
+    session: Session;
+    size: SizeChoice;
+    pixels: [number, number];
+    theme: Theme;
+}
+
+export function toolbar({ session, size, pixels, theme }: Shown, actions: ToolbarActions) {
+    const { about } = session;
+    const unsaved = about !== null && !about.readOnly && !session.isSaved;
+    return html`
+        <header>
+            <span class="file" title=${about ? decodeURIComponent(about.uri.replace("file://", "")) : ""}>
+                <strong>${about ? fileName(about.uri) : "Balcony"}</strong>
+                ${about?.readOnly
+                    ? html`<span class="quiet">read-only</span>`
+                    : html`<span class="unsaved" ?hidden=${!unsaved} title="Not saved" aria-label="not saved">●</span>`}
+            </span>
+            ${cameraChoice(session, actions)} ${sizeChoice(size, pixels, actions)}
+            <span class="space"></span>
+            <button id="save" ?disabled=${!unsaved} title="Save the file (Ctrl+S)" @click=${actions.save}>Save</button>
+            ${renderButton(session, actions)} ${menu(session, theme, actions)}
+        </header>
+    `;
+}
