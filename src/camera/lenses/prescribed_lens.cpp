@@ -217,7 +217,7 @@ from P = −F (x, y) on the sensor in the direction (m, n, √(1 − m² − n²
 (x, y)   the tangents of the pinhole's ray
 F   the focal length, or sensor divided by the width of the tangents
 (m, n) = −h P/|P − Q| + ρ (a, b)      (a, b)   a point of the unit disc
-Q   the middle of the last surface,   h, ρ   so that the disc has all that passes
+Q   the middle of the last surface,   h, ρ   so that the disc has what passes
 at each surface   d′ = n/n′ d + (√(1 − (n/n′)² (1 − c²)) − n/n′ c) N,   c = d·N
 n, n′   the indices before and behind it,   N   its normal
 no ray that misses a hole or the stop, or that is totally reflected
