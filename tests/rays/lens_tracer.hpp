@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// A tracer of prescriptions from the textbook, which knows nothing of the one in the library. Points
-// are (distance behind the first surface, y, z), and light runs towards the sensor.
+// A tracer of prescriptions from the textbook, which knows nothing of the one in the library.
+// Points are (distance behind the first surface, y, z), and light runs towards the sensor.
 
 #include <cmath>
 #include <optional>
@@ -68,7 +68,7 @@ inline std::optional<V3d> bent(const V3d& d, V3d normal, double n, double n_afte
 
 /// Light of the scene through all surfaces; none if it does not get through.
 inline std::optional<Line> through(const camera::Prescription& lens, Line line, double wavelength,
-                            double stop_scale = 1.0) {
+                                   double stop_scale = 1.0) {
     double vertex = 0.0;
     double n = 1.0;
     for (const camera::LensSurface& s : lens.surfaces) {
