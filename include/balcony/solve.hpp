@@ -75,8 +75,19 @@ struct Mark {
     SourceSpan written{};  ///< Where a file has it, for messages.
 };
 
-/// What a constraint demands. Rows of constraint_kinds() say how many marks each takes and what it
-/// misses.
+/// Points of space, such as the vertices of an object, in the axes of the camera. Those that are
+/// outermost in the picture make an outline, whatever hides them.
+struct Outline {
+    std::vector<V3d> points;
+    /// Where in the picture the search for them begins, in pixels; by default where the camera
+    /// shows one of them with the first values of the unknowns.
+    std::optional<V2d> near{};
+    std::string name{};    ///< What messages call it, if not by its number.
+    SourceSpan written{};  ///< Where a file has it, for messages.
+};
+
+/// What a constraint demands. Rows of constraint_kinds() say how many marks each takes, or whether
+/// it is about an outline, and what it misses.
 enum class ConstraintKind : std::uint8_t {
     at,        ///< A mark appears at a position.
     together,  ///< Two marks appear at one position.
@@ -91,6 +102,14 @@ enum class ConstraintKind : std::uint8_t {
     magnification,  ///< At a position, `value` pixels per unit at a distance, or per radian.
     isotropic,      ///< At a position, small circles appear as circles.
     unfolded,       ///< At a position, the picture is not mirrored and not compressed to a line.
+    left,           ///< An outline begins at `value` pixels from the left side of the picture.
+    right,          ///< It ends there.
+    top,            ///< It begins at `value` pixels from the upper side.
+    bottom,         ///< It ends there.
+    wide,           ///< It is `value` pixels wide.
+    high,           ///< It is `value` pixels high.
+    within,         ///< It is in a box; without one in the picture.
+    touches,        ///< It touches a line, on either side.
 };
 
 /// The values of standard deviations and tolerances: the squares of what is measured by them are
@@ -112,6 +131,10 @@ struct Constraint {
     /// (Cauchy's loss).
     std::optional<double> tolerance{};
     SourceSpan written{};  ///< Where a file has it, for messages.
+    /// The index of the problem's outline that it is about, of kinds that are about one.
+    std::optional<std::size_t> outline{};
+    /// The upper left and the lower right corner of a box, or two points of a line.
+    std::optional<std::array<V2d, 2>> corners{};
 };
 
 /// Whether a constraint has a value of its own.
@@ -122,8 +145,11 @@ struct ConstraintKindInfo {
     ConstraintKind kind;
     std::string_view name;
     std::string_view meaning;
-    std::size_t marks;  ///< How many it takes; 0 if it is about a position.
+    std::size_t marks;  ///< How many it takes; 0 if it is about a position or an outline.
     ValueUse value = ValueUse::none;
+    bool is_of_outline = false;
+    std::string_view corners{};  ///< What its two corners are, "box" or "line"; empty without any.
+    bool may_lack_corners = false;
 };
 [[nodiscard]] const std::vector<ConstraintKindInfo>& constraint_kinds();
 
@@ -133,6 +159,7 @@ struct Problem {
     std::vector<Target> targets;
     std::vector<Mark> marks;
     std::vector<Constraint> constraints;
+    std::vector<Outline> outlines{};
 };
 
 /// The cells of the picture in whose middles the uncertainty of projections is wanted.
@@ -152,7 +179,7 @@ struct Options {
 
 /// What a constraint misses, in its unit.
 struct Miss {
-    std::array<double, 2> by{};
+    std::array<double, 4> by{};
     std::size_t count = 1;    ///< How many of these it has.
     double deviations = 0.0;  ///< Their length in standard deviations.
 };
@@ -164,6 +191,9 @@ struct Solution {
     std::vector<Miss> misses;    ///< By constraint.
     /// Where the marks appear, in pixels; nothing for one that no ray meets.
     std::vector<std::optional<V2d>> seen;
+    /// The outlines in the picture, as the corners of convex polygons that are traversed from left
+    /// to right along their upper sides.
+    std::vector<std::vector<V2d>> outlines;
     /// The standard deviations of the unknowns, if each demand misses what its deviation says;
     /// infinite for an unknown that the constraints do not determine.
     std::vector<double> deviations;

@@ -52,6 +52,12 @@ struct Marks {
         Imath::V3d part{0.0};
         SourceSpan written{};
     };
+    /// An outline of an object of a scene.
+    struct OutlineOfObject {
+        std::size_t outline = 0;  ///< Its index in the problem.
+        std::string object;
+        SourceSpan written{};
+    };
 
     std::size_t width = 0;  ///< Of the picture, in pixels.
     std::size_t height = 0;
@@ -59,6 +65,7 @@ struct Marks {
     std::optional<Axes> axes{};
     std::filesystem::path scene{};  ///< Relative to the folder of the file; empty if there is none.
     std::vector<OnObject> on_objects{};
+    std::vector<OutlineOfObject> outlines_of_objects{};
     /// The parameters to be found; if empty, all that are numbers and not fixed.
     std::optional<std::vector<Parameter>> unknowns{};
     /// The others are found. With `unknowns`, these say more about some of those.

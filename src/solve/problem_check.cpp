@@ -3,6 +3,7 @@
 
 #include "solve/problem_check.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -29,6 +30,14 @@ std::string out_of_range(std::string_view what) {
                        deviation_range.maximum);
 }
 
+bool are_corners(const std::array<V2d, 2>& corners, const ConstraintKindInfo& kind) {
+    const auto [first, last] = corners;
+    const bool are_finite = std::isfinite(first.x + first.y + last.x + last.y);
+    return are_finite && (kind.corners == "box"    ? first.x < last.x && first.y < last.y
+                          : kind.corners == "line" ? first != last
+                                                   : false);
+}
+
 void check_constraint(const Constraint& constraint, std::size_t i, const Problem& problem,
                       Diagnostics& found) {
     const ConstraintKindInfo& kind = constraint_kinds()[static_cast<std::size_t>(constraint.kind)];
@@ -38,6 +47,14 @@ void check_constraint(const Constraint& constraint, std::size_t i, const Problem
     if (constraint.marks.size() != kind.marks) {
         wrong(
             fmt::format("takes {}, not {}", counted(kind.marks, "mark"), constraint.marks.size()));
+    }
+    const bool is_of_outline = constraint.outline && *constraint.outline < problem.outlines.size();
+    if (is_of_outline != kind.is_of_outline) {
+        wrong(kind.is_of_outline ? "is about no outline" : "is about an outline");
+    }
+    if (constraint.corners ? !are_corners(*constraint.corners, kind)
+                           : !kind.corners.empty() && !kind.may_lack_corners) {
+        wrong("has corners that are no box or line");
     }
     for (const std::size_t mark : constraint.marks) {
         if (mark >= problem.marks.size()) {
@@ -95,6 +112,12 @@ Diagnostics problems_of(const Problem& problem) {
         }
         if (mark.target && (*mark.target >= problem.targets.size() || mark.at_infinity)) {
             found.push_back(numbered("mark", i, "is a point of no target"));
+        }
+    }
+    for (std::size_t i = 0; i < problem.outlines.size(); ++i) {
+        const std::vector<V3d>& points = problem.outlines[i].points;
+        if (points.empty() || !std::all_of(points.begin(), points.end(), is_finite)) {
+            found.push_back(numbered("outline", i, "has no points, or some at no place"));
         }
     }
     for (std::size_t i = 0; i < problem.constraints.size(); ++i) {

@@ -4,6 +4,9 @@
 #include "solve/sighting_misses.hpp"
 
 #include <cassert>
+#include <cmath>
+
+#include "solve/outlines.hpp"
 
 namespace balcony::solve {
 
@@ -57,10 +60,51 @@ std::vector<Dual> misses_ratio(const Sight& sight) {
             sight.constraint.value * length(sight.at[3] - sight.at[2])};
 }
 
+// Of an outline, `at` are the outermost positions.
+enum Outermost : std::size_t { leftmost, rightmost, uppermost, lowermost };
+
+std::vector<Dual> misses_left(const Sight& sight) {
+    return {sight.at[leftmost].x - sight.constraint.value};
+}
+std::vector<Dual> misses_right(const Sight& sight) {
+    return {sight.at[rightmost].x - sight.constraint.value};
+}
+std::vector<Dual> misses_top(const Sight& sight) {
+    return {sight.at[uppermost].y - sight.constraint.value};
+}
+std::vector<Dual> misses_bottom(const Sight& sight) {
+    return {sight.at[lowermost].y - sight.constraint.value};
+}
+std::vector<Dual> misses_wide(const Sight& sight) {
+    return {sight.at[rightmost].x - sight.at[leftmost].x - sight.constraint.value};
+}
+std::vector<Dual> misses_high(const Sight& sight) {
+    return {sight.at[lowermost].y - sight.at[uppermost].y - sight.constraint.value};
+}
+std::vector<Dual> misses_within(const Sight& sight) {
+    const auto [first, last] = sight.constraint.corners.value_or(std::array{V2d(0.0), sight.size});
+    return {max(first.x - sight.at[leftmost].x, 0.0), max(sight.at[rightmost].x - last.x, 0.0),
+            max(first.y - sight.at[uppermost].y, 0.0), max(sight.at[lowermost].y - last.y, 0.0)};
+}
+// From the side of the line on which it needs less to touch: the square is continuous.
+std::vector<Dual> misses_touches(const Sight& sight) {
+    const auto distance = [&](const DualPoint& p) {
+        return distance_from(*sight.constraint.corners, p.x, p.y);
+    };
+    const Dual least = distance(sight.at[0]);
+    const Dual greatest = distance(sight.at[1]);
+    return {std::abs(least.value) < std::abs(greatest.value) ? least : greatest};
+}
+
 struct Row {
     ConstraintKindInfo info;
     std::vector<Dual> (*misses)(const Sight&);  // Null for shapes.
 };
+
+ConstraintKindInfo of_outline(ConstraintKind kind, std::string_view name,
+                              std::string_view meaning) {
+    return {kind, name, meaning, 0, ValueUse::must, true};
+}
 
 // In the order of ConstraintKind.
 const std::vector<Row>& rows() {
@@ -93,6 +137,22 @@ const std::vector<Row>& rows() {
           "sine",
           0, ValueUse::may},
          nullptr},
+        {of_outline(left, "left", "an outline begins so many pixels from the left side"),
+         misses_left},
+        {of_outline(right, "right", "an outline ends so many pixels from the left side"),
+         misses_right},
+        {of_outline(top, "top", "an outline begins so many pixels from the upper side"),
+         misses_top},
+        {of_outline(bottom, "bottom", "an outline ends so many pixels from the upper side"),
+         misses_bottom},
+        {of_outline(wide, "wide", "an outline is so many pixels wide"), misses_wide},
+        {of_outline(high, "high", "an outline is so many pixels high"), misses_high},
+        {{within, "within", "an outline is in a box or, without one, in the picture", 0,
+          ValueUse::none, true, "box", true},
+         misses_within},
+        {{touches, "touches", "an outline touches the line through two positions", 0,
+          ValueUse::none, true, "line"},
+         misses_touches},
     };
     return all;
 }
@@ -113,7 +173,7 @@ const std::vector<ConstraintKindInfo>& constraint_kinds() {
 std::vector<Dual> sighting_misses(const Constraint& constraint, std::span<const DualPoint> at,
                                   const V2d& size) {
     const Row& row = rows()[static_cast<std::size_t>(constraint.kind)];
-    assert(row.misses != nullptr && at.size() == row.info.marks);
+    assert(row.misses != nullptr && (row.info.is_of_outline || at.size() == row.info.marks));
     return row.misses({constraint, at, size});
 }
 

@@ -18,7 +18,7 @@ struct DualPoint {
 };
 
 /// What a constraint misses, in its unit, where its marks appear at these positions of a picture of
-/// this size.
+/// this size. Those of an outline are the outermost() ones.
 [[nodiscard]] std::vector<Dual> sighting_misses(const Constraint& constraint,
                                                 std::span<const DualPoint> at, const V2d& size);
 

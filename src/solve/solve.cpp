@@ -8,12 +8,15 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <numeric>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "balcony/progress.hpp"
 #include "solve/first_pose.hpp"
+#include "solve/outlines.hpp"
 #include "solve/problem_check.hpp"
 #include "solve/projection_errors.hpp"
 #include "solve/system.hpp"
@@ -39,10 +42,10 @@ Problem with_positions(Problem problem) {
 
 // Where the first values of the unknowns show a mark that no constraint has a position for: what
 // Newton's iteration finds from places all over the picture, in a fixed order.
-std::optional<V2d> found_from_grid(const CameraRays& rays, const Problem& problem, std::size_t mark,
+std::optional<V2d> found_from_grid(const CameraRays& rays, const Problem& problem, const Mark& mark,
                                    const V2d& size) {
     constexpr int cells = 8;
-    Problem alone{problem.unknowns, problem.targets, {problem.marks[mark]}, {}};
+    Problem alone{problem.unknowns, problem.targets, {mark}, {}};
     for (int cell = 0; cell < cells * cells; ++cell) {
         const V2d at((cell % cells + 0.5) / cells * size.x, (cell / cells + 0.5) / cells * size.y);
         alone.marks.front().near.reset();
@@ -126,14 +129,51 @@ std::vector<bool> marks_in_use(const Problem& problem, std::optional<ConstraintK
     return made;
 }
 
-// Where the search for each mark begins.
+// Where the first values of the unknowns show the points of an outline, which are these marks: from
+// one of them, the search leads to the others, also outside of the picture. Nothing if a point is
+// seen nowhere.
+std::optional<std::vector<V2d>> outline_positions(const CameraRays& rays, const Problem& problem,
+                                                  const Outline& outline,
+                                                  std::span<const Mark> marks, const V2d& size) {
+    const auto from_grid = [&](const Mark& mark) {
+        return found_from_grid(rays, problem, mark, size);
+    };
+    const V3d sum = std::accumulate(outline.points.begin(), outline.points.end(), V3d(0.0));
+    std::vector<std::optional<V2d>> found{outline.near};
+    if (!outline.near) {
+        found.push_back(from_grid({sum / static_cast<double>(outline.points.size())}));
+    }
+    for (std::size_t i = 0; i < marks.size() && !found.back(); ++i) {
+        found.push_back(from_grid(marks[i]));
+    }
+    const std::optional<V2d>& one = found.back();
+    if (!one) {
+        return std::nullopt;
+    }
+    const Problem alone{problem.unknowns, problem.targets, {marks.begin(), marks.end()}, {}};
+    const System system(rays, alone, size, std::vector<V2d>(marks.size(), *one));
+    const auto seen = system.seen(system.start());
+    std::vector<V2d> made;
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+        const std::optional<V2d> at =
+            seen[i] && seen[i]->reached ? std::optional(seen[i]->at) : from_grid(marks[i]);
+        if (!at) {
+            return std::nullopt;
+        }
+        made.push_back(*at);
+    }
+    return made;
+}
+
+// Where the search for each mark begins: for `count` marks, and then for those of outlines.
 Result<std::vector<V2d>> first_positions(const CameraRays& rays, const Problem& problem,
-                                         const V2d& size) {
+                                         std::size_t count, const V2d& size) {
     std::vector<V2d> made;
     const std::vector<bool> used = marks_in_use(problem, std::nullopt);
-    for (std::size_t i = 0; i < problem.marks.size(); ++i) {
-        std::optional<V2d> at =
-            problem.marks[i].near ? problem.marks[i].near : found_from_grid(rays, problem, i, size);
+    for (std::size_t i = 0; i < count; ++i) {
+        std::optional<V2d> at = problem.marks[i].near
+                                    ? problem.marks[i].near
+                                    : found_from_grid(rays, problem, problem.marks[i], size);
         at = at || used[i] ? at : 0.5 * size;
         if (!at) {
             return error(
@@ -142,6 +182,20 @@ Result<std::vector<V2d>> first_positions(const CameraRays& rays, const Problem& 
                 "say where in the picture it is, or begin with values that show it");
         }
         made.push_back(*at);
+    }
+    for (std::size_t i = 0; i < problem.outlines.size(); ++i) {
+        const Outline& outline = problem.outlines[i];
+        const auto marks = std::span(problem.marks).subspan(made.size(), outline.points.size());
+        const auto at = outline_positions(rays, problem, outline, marks, size);
+        if (!at) {
+            return error(
+                fmt::format("no ray of the first values meets a point of {}",
+                            outline.name.empty() ? fmt::format("outline {}", i + 1)
+                                                 : fmt::format("the outline '{}'", outline.name)),
+                outline.written,
+                "begin with values that show all of it, or say where in the picture it is");
+        }
+        made.insert(made.end(), at->begin(), at->end());
     }
     return made;
 }
@@ -173,7 +227,8 @@ Problem started(Problem problem, std::size_t number) {
 
 // Nothing if rounding takes a mark out of the picture there.
 std::optional<Solution> solution_of(const Minimum& minimum, const System& system,
-                                    std::size_t inputs) {
+                                    const Problem& given) {
+    const std::size_t inputs = given.unknowns.size();
     std::optional<std::vector<Miss>> misses = system.misses(minimum.unknowns);
     if (!misses) {
         return std::nullopt;
@@ -185,6 +240,18 @@ std::optional<Solution> solution_of(const Minimum& minimum, const System& system
     for (const auto& seen : system.seen(minimum.unknowns)) {
         made.seen.push_back(seen && seen->reached ? std::optional(seen->at) : std::nullopt);
     }
+    std::size_t first = given.marks.size();
+    for (const Outline& outline : given.outlines) {
+        std::vector<V2d> at;
+        for (std::size_t i = first; i < first + outline.points.size(); ++i) {
+            if (made.seen[i]) {
+                at.push_back(*made.seen[i]);
+            }
+        }
+        made.outlines.push_back(hull_of(std::move(at)));
+        first += outline.points.size();
+    }
+    made.seen.resize(given.marks.size());
     made.cost = minimum.residuals.values.squaredNorm();
     made.iterations = minimum.iterations;
     made.converged = minimum.converged;
@@ -276,7 +343,7 @@ Result<Solution> solve(const CameraMaker& make, double width, double height, con
     if (Diagnostics found = problems_of(given); !found.empty()) {
         return found;
     }
-    const Problem problem = with_positions(given);
+    const Problem problem = with_outline_marks(with_positions(given));
     const V2d size(width, height);
     Result<CameraRays> rays = CameraRays::make(make, size, problem, stop);
     if (!rays) {
@@ -287,8 +354,9 @@ Result<Solution> solve(const CameraMaker& make, double width, double height, con
     std::size_t equations = 0;
     for (std::size_t number = 0; number < std::max<std::size_t>(options.starts, 1); ++number) {
         Result<Problem> trial = with_poses(*rays, started(problem, number));
-        Result<std::vector<V2d>> near = trial ? first_positions(*rays, *trial, size)
-                                              : Result<std::vector<V2d>>(trial.diagnostics);
+        Result<std::vector<V2d>> near =
+            trial ? first_positions(*rays, *trial, given.marks.size(), size)
+                  : Result<std::vector<V2d>>(trial.diagnostics);
         if (!near) {
             first_found = number == 0 ? std::move(near.diagnostics) : std::move(first_found);
             continue;
@@ -303,7 +371,7 @@ Result<Solution> solve(const CameraMaker& make, double width, double height, con
         if (!minimum || (best && !(minimum->residuals.values.squaredNorm() < best->cost))) {
             continue;
         }
-        if (auto made = solution_of(*minimum, system, problem.unknowns.size())) {
+        if (auto made = solution_of(*minimum, system, given)) {
             best = std::move(*made);
             equations = static_cast<std::size_t>(minimum->residuals.values.size());
             if (options.errors) {
@@ -318,7 +386,7 @@ Result<Solution> solve(const CameraMaker& make, double width, double height, con
                                        "begin with other values of the unknowns")}
                    : first_found;
     }
-    Diagnostics warnings = warnings_of(problem, *best, equations);
+    Diagnostics warnings = warnings_of(given, *best, equations);
     if (!best->converged) {
         warnings.push_back(warning(
             fmt::format("no minimum was found in {}", counted(best->iterations, "iteration")), {},

@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "rays/approach.hpp"
+#include "solve/outlines.hpp"
 #include "solve/pose.hpp"
 #include "solve/sighting_misses.hpp"
 
@@ -184,6 +186,42 @@ std::vector<std::optional<SeenMark>> System::seen(const Eigen::VectorXd& unknown
     return made;
 }
 
+// Nothing if a mark is not seen that has no position of its own.
+std::optional<System::Row> System::row_of_marks(
+    const Constraint& constraint, const std::vector<std::optional<SeenMark>>& marks) const {
+    std::vector<V2d> places;
+    for (const std::size_t mark : constraint.marks) {
+        const std::optional<SeenMark>& seen = marks[mark];
+        if (!seen || !(seen->reached || problem_.marks[mark].near)) {
+            return std::nullopt;
+        }
+        places.push_back(seen->at);
+    }
+    std::vector<std::size_t> about(places.size());
+    std::iota(about.begin(), about.end(), std::size_t{0});
+    if (constraint.outline) {
+        about = outermost(constraint, places);
+    }
+    std::vector<DualPoint> at;
+    for (const std::size_t i : about) {
+        const std::size_t number = 2 * at.size();
+        at.push_back(
+            {Dual::coordinate(places[i].x, number), Dual::coordinate(places[i].y, number + 1)});
+    }
+    const std::vector<Dual> misses = sighting_misses(constraint, at, size_);
+    const auto size = static_cast<Index>(misses.size());
+    Row row{Eigen::VectorXd(size), Eigen::MatrixXd::Zero(size, static_cast<Index>(count_))};
+    for (Index r = 0; r < size; ++r) {
+        const Dual& miss = misses[static_cast<std::size_t>(r)];
+        row.misses[r] = miss.value;
+        for (std::size_t m = 0; m < about.size(); ++m) {
+            const auto& by = marks[constraint.marks[about[m]]]->by_unknown;
+            row.by_unknown.row(r) += miss.by[2 * m] * by.row(0) + miss.by[2 * m + 1] * by.row(1);
+        }
+    }
+    return row;
+}
+
 std::optional<std::vector<System::Row>> System::rows(
     const Eigen::VectorXd& unknowns, const std::vector<std::optional<SeenMark>>& marks) const {
     const std::vector<ShapeValues> shapes = rays_.shapes(inputs_of(unknowns));
@@ -206,29 +244,11 @@ std::optional<std::vector<System::Row>> System::rows(
                 }
             }
         } else {
-            std::vector<DualPoint> at;
-            for (const std::size_t mark : constraint.marks) {
-                const std::optional<SeenMark>& seen = marks[mark];
-                if (!seen || !(seen->reached || problem_.marks[mark].near)) {
-                    return std::nullopt;
-                }
-                const std::size_t number = 2 * at.size();
-                at.push_back({Dual::coordinate(seen->at.x, number),
-                              Dual::coordinate(seen->at.y, number + 1)});
+            std::optional<Row> of_marks = row_of_marks(constraint, marks);
+            if (!of_marks) {
+                return std::nullopt;
             }
-            const std::vector<Dual> misses = sighting_misses(constraint, at, size_);
-            const auto size = static_cast<Index>(misses.size());
-            row.misses.resize(size);
-            row.by_unknown.setZero(size, static_cast<Index>(count_));
-            for (Index r = 0; r < size; ++r) {
-                const Dual& miss = misses[static_cast<std::size_t>(r)];
-                row.misses[r] = miss.value;
-                for (std::size_t m = 0; m < constraint.marks.size(); ++m) {
-                    const auto& by = marks[constraint.marks[m]]->by_unknown;
-                    row.by_unknown.row(r) +=
-                        miss.by[2 * m] * by.row(0) + miss.by[2 * m + 1] * by.row(1);
-                }
-            }
+            row = std::move(*of_marks);
         }
         if (!row.misses.allFinite() || !row.by_unknown.allFinite()) {
             return std::nullopt;

@@ -46,6 +46,8 @@ private:
     struct Row;
     [[nodiscard]] std::optional<std::vector<Row>> rows(
         const Eigen::VectorXd& unknowns, const std::vector<std::optional<SeenMark>>& marks) const;
+    [[nodiscard]] std::optional<Row> row_of_marks(
+        const Constraint& constraint, const std::vector<std::optional<SeenMark>>& marks) const;
     [[nodiscard]] V3d place_of(const Mark& mark, std::span<const Pose> poses) const;
     void follow(const std::vector<double>& inputs, std::span<const Pose> poses,
                 std::vector<V2d>& at, std::vector<bool>& reached) const;

@@ -59,6 +59,18 @@ std::string replaced(const std::string& old, const std::string& by) {
     return text.replace(at, old.size(), by);
 }
 
+void check(const Mistake& mistake) {
+    const auto marks = read(mistake.text);
+    ASSERT_FALSE(marks) << mistake.text;
+    const Diagnostic& said = marks.diagnostics.front();
+    SCOPED_TRACE(to_text(said));
+    EXPECT_EQ(said.message, mistake.message);
+    EXPECT_EQ(said.remedy, mistake.remedy);
+    ASSERT_TRUE(said.span.source);
+    const LineColumn place = said.span.source->locate(said.span.begin);
+    EXPECT_EQ(std::to_string(place.line) + ":" + std::to_string(place.column), mistake.place);
+}
+
 }  // namespace
 
 TEST(Marks, AFileHasAllOfAProblem) {
@@ -117,6 +129,89 @@ TEST(Marks, MayBeOnObjectsOfAScene) {
     EXPECT_EQ(marks->on_objects[0].mark, 1U);
     EXPECT_EQ(marks->on_objects[0].object, "vase");
     EXPECT_EQ(marks->on_objects[0].part, V3d(0, 1, 0.5));
+}
+
+// `whole` with outlines and constraints on them.
+std::string with_outlines(const std::string& outlines, const std::string& constraints) {
+    std::string text = replaced("constraints:\n", "outlines:\n" + outlines + "constraints:\n");
+    return text.replace(text.find("boards:"), 0, constraints);
+}
+
+TEST(Marks, OutlinesAreOfObjectsOrPoints) {
+    const std::string outlines =
+        "  tent: {points: [[1, 2, 3], [4, 5, 6]], near: [100, 50]}\n  vase: \"vase*\"\n";
+    std::string text = with_outlines(
+        outlines,
+        "  - {left: tent, value: 30}\n  - {within: vase, box: [[10, 20], [600, 400]]}\n"
+        "  - {within: tent}\n  - {touches: vase, line: [[0, 200], [640, 210]]}\n"
+        "  - {high: vase, value: 90}\n");
+    text.replace(text.find("axes: y_up"), 10, "scene: room.glb\norigin: pixel_center");
+    const auto marks = read(text);
+    ASSERT_TRUE(marks) << to_text(marks.diagnostics);
+    const solve::Problem& problem = marks->problem;
+    ASSERT_EQ(problem.outlines.size(), 2U);
+    EXPECT_EQ(problem.outlines[0].points, (std::vector<V3d>{{1, 2, 3}, {4, 5, 6}}));
+    EXPECT_EQ(problem.outlines[0].near, V2d(100.5, 50.5));
+    ASSERT_EQ(marks->outlines_of_objects.size(), 1U);
+    EXPECT_EQ(marks->outlines_of_objects[0].outline, 1U);
+    EXPECT_EQ(marks->outlines_of_objects[0].object, "vase*");
+    // Positions and coordinates are from pixel centres, extents are not.
+    EXPECT_EQ(problem.constraints[6].kind, ConstraintKind::left);
+    EXPECT_EQ(problem.constraints[6].outline, 0U);
+    EXPECT_EQ(problem.constraints[6].value, 30.5);
+    EXPECT_EQ(problem.constraints[7].corners, (std::array{V2d(10.5, 20.5), V2d(600.5, 400.5)}));
+    EXPECT_FALSE(problem.constraints[8].corners);
+    EXPECT_EQ(problem.constraints[9].kind, ConstraintKind::touches);
+    EXPECT_EQ(problem.constraints[10].value, 90.0);
+    EXPECT_EQ(marks->labels[9], "touches vase");
+}
+
+TEST(Marks, MistakesOfOutlinesAreSaidWhereTheyAre) {
+    const std::string tent = "  tent: {points: [[1, 2, 3], [4, 5, 6]]}\n";
+    const std::string outline_remedy =
+        "write the name of an object of the scene, or {object: NAME} or {points: [[x, y, z], ...]} "
+        "with more about it";
+    const std::vector<Mistake> mistakes{
+        {with_outlines("  tent: vase\n", ""), "16:3",
+         "'tent' is the outline of an object of no scene", "add the entry scene: FILE"},
+        {with_outlines("  tent: {near: [1, 2]}\n", ""), "16:3", "the outline 'tent' has no points",
+         outline_remedy},
+        {with_outlines("  tent: {object: a, points: [[1, 2, 3]]}\n", ""), "16:3",
+         "the outline 'tent' has an object and points", outline_remedy},
+        {with_outlines(tent, "  - {left: tend, value: 3}\n"), "25:12", "there is no outline 'tend'",
+         "did you mean 'tent'?"},
+        {with_outlines(tent, "  - {left: gable, value: 3}\n"), "25:12",
+         "'gable' is a mark, not an outline",
+         "'left' means that an outline begins so many pixels from the left side"},
+        {with_outlines(tent, "  - {inside: tent}\n"), "25:14", "'tent' is an outline",
+         "'inside' means that a mark is in the picture, so many pixels from its border"},
+        {with_outlines(tent, "  - {left: tent}\n"), "25:6", "'left' has no value",
+         "add value: NUMBER; 'left' means that an outline begins so many pixels from the left "
+         "side"},
+        {with_outlines(tent, "  - {touches: tent}\n"), "25:6", "'touches' has no line",
+         "add line: [[x, y], [x, y]]"},
+        {with_outlines(tent, "  - {touches: tent, line: [[1, 2], [1, 2]]}\n"), "25:27",
+         "this is no line", "write two positions on it: line: [[0, 240], [640, 200]]"},
+        {with_outlines(tent, "  - {within: tent, box: [[9, 2], [1, 5]]}\n"), "25:25",
+         "this is no box",
+         "write the upper left and the lower right corner: box: [[100, 50], [540, 310]]"},
+        {with_outlines(tent, "  - {within: tent, box: [9, 2, 1, 5]}\n"), "25:25", "this is no box",
+         "write the upper left and the lower right corner: box: [[100, 50], [540, 310]]"},
+        {with_outlines(tent, "  - {within: tent, line: [[9, 2], [1, 5]]}\n"), "25:20",
+         "'within' has no line",
+         "remove it; 'within' means that an outline is in a box or, without one, in the picture"},
+        {with_outlines(tent, "  - {wide: tent, value: 90}\n  - {wide: tent, value: 50}\n"), "26:6",
+         "'wide' of an outline is to be both 90 and 50",
+         "remove one of the two rows, or give them a tolerance"},
+    };
+    for (const Mistake& mistake : mistakes) {
+        check(mistake);
+    }
+}
+
+TEST(Marks, AShapeAndAMagnificationAtOnePlaceDoNotContradict) {
+    const auto marks = read(replaced("isotropic: [100, 50]", "isotropic: [320, 240], distance: 3"));
+    EXPECT_TRUE(marks) << to_text(marks.diagnostics);
 }
 
 TEST(Marks, PixelCentersAreHalfAPixelFromCorners) {
@@ -196,7 +291,8 @@ TEST(Marks, EachMistakeIsSaidWhereItIs) {
         {replaced("{inside: east}", "{deviation: 1}"), "19:5",
          "this constraint does not say what it demands",
          "begin it with one of 'at', 'together', 'inside', 'outside', 'straight', 'level', "
-         "'upright', 'parallel', 'length', 'ratio', 'magnification', 'isotropic' or 'unfolded'"},
+         "'upright', 'parallel', 'length', 'ratio', 'magnification', 'isotropic', 'unfolded', "
+         "'left', 'right', 'top', 'bottom', 'wide', 'high', 'within' or 'touches'"},
         {replaced(", value: 2}", "}"), "20:6", "'ratio' has no value",
          "add value: NUMBER; 'ratio' means that the first two marks are so many times as far apart "
          "as the other two"},
@@ -230,15 +326,7 @@ TEST(Marks, EachMistakeIsSaidWhereItIs) {
          "a file of marks has the entries size, marks and constraints, or boards"},
     };
     for (const Mistake& mistake : mistakes) {
-        const auto marks = read(mistake.text);
-        ASSERT_FALSE(marks) << mistake.text;
-        const Diagnostic& said = marks.diagnostics.front();
-        SCOPED_TRACE(to_text(said));
-        EXPECT_EQ(said.message, mistake.message);
-        EXPECT_EQ(said.remedy, mistake.remedy);
-        ASSERT_TRUE(said.span.source);
-        const LineColumn place = said.span.source->locate(said.span.begin);
-        EXPECT_EQ(std::to_string(place.line) + ":" + std::to_string(place.column), mistake.place);
+        check(mistake);
     }
 }
 

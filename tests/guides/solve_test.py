@@ -48,6 +48,13 @@ class SolveGuide(guide.GuideTest):
             unit = degree if one["is_angle"] else 1
             self.assertLess(abs(one["value"] / unit - true[one["name"]]), one["deviation"] / unit)
 
+    def test_the_house_is_framed(self):
+        solved = json.loads(self.run_line("balcony solve framed.cam --with frame.yml --json"))
+        (house,) = solved["outlines"]
+        x, y = zip(*house["corners"])
+        for one, wanted in ((min(y), 40), (max(y), 440), (min(x), 90)):
+            self.assertAlmostEqual(one, wanted, delta=0.01)
+
     def test_calibrations_are_those_of_opencv(self):
         """Both end at the minimum of the same sum of squares, as near as they stop."""
         for model in ("pinhole", "fisheye"):

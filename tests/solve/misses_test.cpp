@@ -60,6 +60,23 @@ std::vector<Case> cases() {
     add(parallel, none, 0.0, {{0, 0}, {-6, -8}, {100, 100}, {103, 104}}, {0});
     add(length, none, 40.0, {{0, 0}, {30, 40}}, {10});
     add(ratio, none, 2.0, {{0, 0}, {30, 40}, {0, 0}, {0, 20}}, {10});
+    // The outermost positions of an outline: left, right, top, bottom.
+    const std::vector<V2d> outermost{{100, 60}, {180, 50}, {150, 20}, {140, 90}};
+    add(left, none, 90.0, outermost, {10});
+    add(right, none, 200.0, outermost, {-20});
+    add(top, none, 25.0, outermost, {-5});
+    add(bottom, none, 80.0, outermost, {10});
+    add(wide, none, 90.0, outermost, {-10});
+    add(high, none, 60.0, outermost, {10});
+    add(within, none, 0.0, outermost, {0, 0, 0, 0});
+    add(within, none, 0.0, {{-3, 60}, {650, 50}, {150, -4}, {140, 365}}, {3, 10, 4, 5});
+    add(within, none, 0.0, outermost, {10, 0, 0, 30});
+    made.back().constraint.corners = {V2d(110, 10), V2d(200, 60)};
+    // The farthest positions on the two sides of a line.
+    add(touches, none, 0.0, {{100, 60}, {180, 90}}, {10});
+    made.back().constraint.corners = {V2d(0, 70), V2d(5, 70)};
+    add(touches, none, 0.0, {{100, 60}, {180, 50}}, {-10});
+    made.back().constraint.corners = {V2d(0, 70), V2d(-5, 70)};
     return made;
 }
 
@@ -102,7 +119,7 @@ TEST(Misses, HaveACaseOfEveryKindWithMarks) {
         for (const Case& one : cases()) {
             count += one.constraint.kind == info.kind ? 1 : 0;
         }
-        EXPECT_EQ(count > 0, info.marks > 0) << info.name;
+        EXPECT_EQ(count > 0, info.marks > 0 || info.is_of_outline) << info.name;
         EXPECT_EQ(static_cast<std::size_t>(info.kind),
                   static_cast<std::size_t>(&info - constraint_kinds().data()))
             << info.name;

@@ -196,6 +196,11 @@ Result<solve::Problem> problem_of(const Marks& marks, const WantedParameters& wa
             mark.place = turned(mark.place, marks.axes.value_or(axes), axes);
         }
     }
+    for (solve::Outline& outline : made.outlines) {
+        for (solve::V3d& point : outline.points) {
+            point = turned(point, marks.axes.value_or(axes), axes);
+        }
+    }
     return has_errors(found) ? Result<solve::Problem>(found) : Result<solve::Problem>(made);
 }
 

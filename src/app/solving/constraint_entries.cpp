@@ -36,6 +36,10 @@ std::vector<std::string> names_of_kinds() {
     return names;
 }
 
+bool is_of_position(const ConstraintKindInfo& kind) {
+    return kind.marks == 0 && !kind.is_of_outline;
+}
+
 }  // namespace
 
 void read_measure(const std::vector<YamlEntry>& entries, YamlEntries& yaml, Constraint& made) {
@@ -71,8 +75,8 @@ void read_measure(const std::vector<YamlEntry>& entries, YamlEntries& yaml, Cons
 std::optional<std::pair<Constraint, std::string>> ConstraintReader::read(
     const YAML::Node& row) const {
     std::vector<std::string> known = names_of_kinds();
-    known.insert(known.end(),
-                 {"position", "value", "distance", "deviation", "weight", "tolerance"});
+    known.insert(known.end(), {"position", "value", "distance", "box", "line", "deviation",
+                               "weight", "tolerance"});
     const std::vector<YamlEntry> entries = yaml_.map(row, "the constraint", remedy, known);
     const YamlEntry* kind_entry = nullptr;
     for (const YamlEntry& one : entries) {
@@ -113,9 +117,43 @@ std::optional<V2d> ConstraintReader::position(const YAML::Node& node) const {
     return read ? std::optional(*read + from_corner_) : std::nullopt;
 }
 
-// The marks of a constraint, or its position.
+// Of the values of a kind that are coordinates.
+double ConstraintReader::from_corner_of(ConstraintKind kind) const {
+    switch (kind) {
+        case ConstraintKind::left:
+        case ConstraintKind::right: return from_corner_.x;
+        case ConstraintKind::top:
+        case ConstraintKind::bottom: return from_corner_.y;
+        default: return 0.0;
+    }
+}
+
+// The index of a mark or an outline.
+std::optional<std::size_t> ConstraintReader::index_of(const YAML::Node& node, bool is_outline,
+                                                      const ConstraintKindInfo& kind) const {
+    const auto& others = is_outline ? marks_ : outlines_;
+    const auto& meant = is_outline ? outlines_ : marks_;
+    const std::string name = node.IsScalar() ? node.Scalar() : "";
+    const bool is_other = std::find(meant.begin(), meant.end(), name) == meant.end() &&
+                          std::find(others.begin(), others.end(), name) != others.end();
+    if (is_other) {
+        yaml_.error(
+            yaml_.at(node),
+            fmt::format("'{}' is {}", name, is_outline ? "a mark, not an outline" : "an outline"),
+            fmt::format("'{}' means that {}", kind.name, kind.meaning));
+        return std::nullopt;
+    }
+    return yaml_.index_of(node, meant, is_outline ? "outline" : "mark");
+}
+
+// The marks of a constraint, its outline or its position.
 void ConstraintReader::subject(const YamlEntry& entry, const ConstraintKindInfo& kind,
                                Constraint& made, std::string& label) const {
+    if (kind.is_of_outline) {
+        made.outline = index_of(entry.value, true, kind);
+        label += made.outline ? fmt::format(" {}", outlines_[*made.outline]) : "";
+        return;
+    }
     if (kind.marks == 0) {
         made.position = position(entry.value).value_or(V2d(0.0));
         label += fmt::format(" ({:g}, {:g})", made.position.x, made.position.y);
@@ -130,9 +168,33 @@ void ConstraintReader::subject(const YamlEntry& entry, const ConstraintKindInfo&
         return;
     }
     for (const YAML::Node& one : named) {
-        if (const auto mark = yaml_.index_of(one, marks_, "mark")) {
+        if (const auto mark = index_of(one, false, kind)) {
             made.marks.push_back(*mark);
             label += fmt::format("{}{}", label == kind.name ? " " : ", ", marks_[*mark]);
+        }
+    }
+}
+
+// Two corners of a box, or two points of a line.
+void ConstraintReader::corners(const YamlEntry& entry, const ConstraintKindInfo& kind,
+                               Constraint& made) const {
+    const bool is_box = kind.corners == "box";
+    const std::string how =
+        is_box ? "write the upper left and the lower right corner: box: [[100, 50], [540, 310]]"
+               : "write two positions on it: line: [[0, 240], [640, 200]]";
+    const std::vector<YAML::Node> two = yaml_.list(entry.value);
+    if (!entry.value.IsSequence() || two.size() != 2) {
+        yaml_.error(yaml_.at(entry.value), fmt::format("this is no {}", kind.corners), how);
+        return;
+    }
+    const std::optional<V2d> first = position(two[0]);
+    const std::optional<V2d> last = position(two[1]);
+    if (first && last) {
+        made.corners = {*first, *last};
+        const bool is_empty =
+            is_box ? !(first->x < last->x && first->y < last->y) : *first == *last;
+        if (is_empty) {
+            yaml_.error(yaml_.at(entry.value), fmt::format("this is no {}", kind.corners), how);
         }
     }
 }
@@ -141,6 +203,7 @@ void ConstraintReader::details(const std::vector<YamlEntry>& entries,
                                const ConstraintKindInfo& kind, Constraint& made) const {
     bool has_position = false;
     bool has_value = false;
+    bool has_corners = false;
     for (const YamlEntry& one : entries) {
         const auto only_of = [&](bool fits) {
             if (!fits) {
@@ -155,13 +218,21 @@ void ConstraintReader::details(const std::vector<YamlEntry>& entries,
         } else if (one.name == "value" && only_of(kind.value != ValueUse::none)) {
             made.value = yaml_.plain_number(one.value, "write a number").value_or(0.0);
             has_value = true;
-        } else if (one.name == "distance" && only_of(kind.marks == 0)) {
+        } else if ((one.name == "box" || one.name == "line") && only_of(one.name == kind.corners)) {
+            corners(one, kind, made);
+            has_corners = true;
+        } else if (one.name == "distance" && only_of(is_of_position(kind))) {
             made.distance = yaml_.positive(one);
         }
     }
+    made.value += from_corner_of(kind.kind);
     read_measure(entries, yaml_, made);
     if (kind.kind == ConstraintKind::at && !has_position) {
         yaml_.error(made.written, "'at' has no position", "add position: [x, y] in pixels");
+    }
+    if (!kind.corners.empty() && !kind.may_lack_corners && !has_corners) {
+        yaml_.error(made.written, fmt::format("'{}' has no {}", kind.name, kind.corners),
+                    fmt::format("add {}: [[x, y], [x, y]]", kind.corners));
     }
     if (kind.value == ValueUse::must && !has_value) {
         yaml_.error(made.written, fmt::format("'{}' has no value", kind.name),

@@ -24,11 +24,11 @@ public:
     static constexpr std::string_view remedy =
         "write a constraint as {at: MARK, position: [x, y]} or {level: [MARK, MARK]}";
 
-    /// All of these must outlive it: the names of the marks, by index, and where the position
-    /// [0, 0] is, from the corner of the picture.
+    /// All of these must outlive it: the names of the marks and of the outlines, by index, and
+    /// where the position [0, 0] is, from the corner of the picture.
     ConstraintReader(YamlEntries& yaml, const std::vector<std::string>& marks,
-                     const solve::V2d& from_corner)
-        : yaml_(yaml), marks_(marks), from_corner_(from_corner) {}
+                     const std::vector<std::string>& outlines, const solve::V2d& from_corner)
+        : yaml_(yaml), marks_(marks), outlines_(outlines), from_corner_(from_corner) {}
 
     /// With what reports call it; nothing after a mistake.
     [[nodiscard]] std::optional<std::pair<solve::Constraint, std::string>> read(
@@ -36,13 +36,19 @@ public:
 
 private:
     std::optional<solve::V2d> position(const YAML::Node& node) const;
+    double from_corner_of(solve::ConstraintKind kind) const;
     void subject(const YamlEntry& entry, const solve::ConstraintKindInfo& kind,
                  solve::Constraint& made, std::string& label) const;
+    std::optional<std::size_t> index_of(const YAML::Node& node, bool is_outline,
+                                        const solve::ConstraintKindInfo& kind) const;
+    void corners(const YamlEntry& entry, const solve::ConstraintKindInfo& kind,
+                 solve::Constraint& made) const;
     void details(const std::vector<YamlEntry>& entries, const solve::ConstraintKindInfo& kind,
                  solve::Constraint& made) const;
 
     YamlEntries& yaml_;
     const std::vector<std::string>& marks_;
+    const std::vector<std::string>& outlines_;
     const solve::V2d& from_corner_;
 };
 

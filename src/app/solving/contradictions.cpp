@@ -54,9 +54,24 @@ std::string contradiction(const Constraint& a, const Constraint& b, const solve:
                        ? two_values(a, b, "the length between two marks")
                        : "";
         case magnification:
-            return a.position == b.position && a.distance == b.distance &&
+            return both.second == magnification && a.position == b.position &&
+                           a.distance == b.distance &&
                            std::abs(std::log(a.value / b.value)) > deviations
                        ? two_values(a, b, "a magnification")
+                       : "";
+        case left:
+        case right:
+        case top:
+        case bottom:
+        case wide:
+        case high:
+            return both.second == both.first && a.outline == b.outline &&
+                           std::abs(a.value - b.value) > deviations
+                       ? two_values(
+                             a, b,
+                             fmt::format(
+                                 "'{}' of an outline",
+                                 solve::constraint_kinds()[static_cast<std::size_t>(a.kind)].name))
                        : "";
         default: return "";
     }

@@ -45,6 +45,7 @@ public:
         add_uncertainty();
         add_misses();
         add_marks();
+        add_outlines();
         return std::move(made_);
     }
 
@@ -120,6 +121,20 @@ private:
                 made_.labels.push_back({printable(report_.problem.marks[i].name),
                                         *seen + unit_ * V2d(10.0, -8.0), 11.0 * unit_, mark_color});
             }
+        }
+    }
+
+    void add_outlines() {
+        for (std::size_t i = 0; i < report_.solution.outlines.size(); ++i) {
+            std::vector<V2d> corners = report_.solution.outlines[i];
+            if (corners.empty()) {
+                continue;
+            }
+            corners.push_back(corners.front());
+            made_.labels.push_back({printable(report_.problem.outlines[i].name),
+                                    corners.front() + unit_ * V2d(10.0, -8.0), 11.0 * unit_,
+                                    mark_color});
+            line(DrawingPart::mark, std::move(corners), mark_color, 2.0);
         }
     }
 

@@ -36,6 +36,10 @@ constexpr std::string_view whole_remedy =
 constexpr std::string_view place_remedy =
     "write a point of space as [x, y, z], or as {point: [x, y, z]} or {direction: [x, y, z]} with "
     "more about it";
+constexpr std::string_view outline_remedy =
+    "write the name of an object of the scene, or {object: NAME} or {points: [[x, y, z], ...]} "
+    "with more about it";
+
 class MarksReader {
 public:
     explicit MarksReader(const std::shared_ptr<const SourceText>& source)
@@ -58,9 +62,10 @@ public:
 private:
     void read(const YAML::Node& file) {
         std::map<std::string, YamlEntry> entries;
-        for (YamlEntry& one : yaml_.map(file, "the file", whole_remedy,
-                                        {"size", "scene", "axes", "origin", "unknowns", "fixed",
-                                         "targets", "marks", "constraints", "boards"})) {
+        for (YamlEntry& one :
+             yaml_.map(file, "the file", whole_remedy,
+                       {"size", "scene", "axes", "origin", "unknowns", "fixed", "targets", "marks",
+                        "outlines", "constraints", "boards"})) {
             entries.emplace(one.name, one);
         }
         if (has_errors(yaml_.found()) && entries.empty()) {
@@ -68,15 +73,11 @@ private:
         }
         // Names are read before they are used.
         const std::vector<std::pair<std::string, void (MarksReader::*)(const YamlEntry&)>> readers{
-            {"size", &MarksReader::size},
-            {"scene", &MarksReader::scene},
-            {"axes", &MarksReader::axes},
-            {"origin", &MarksReader::origin},
-            {"unknowns", &MarksReader::unknowns},
-            {"fixed", &MarksReader::fixed},
-            {"targets", &MarksReader::targets},
-            {"marks", &MarksReader::marks},
-            {"constraints", &MarksReader::constraints},
+            {"size", &MarksReader::size},         {"scene", &MarksReader::scene},
+            {"axes", &MarksReader::axes},         {"origin", &MarksReader::origin},
+            {"unknowns", &MarksReader::unknowns}, {"fixed", &MarksReader::fixed},
+            {"targets", &MarksReader::targets},   {"marks", &MarksReader::marks},
+            {"outlines", &MarksReader::outlines}, {"constraints", &MarksReader::constraints},
             {"boards", &MarksReader::boards}};
         for (const auto& [name, reader] : readers) {
             if (const auto entry = entries.find(name); entry != entries.end()) {
@@ -238,6 +239,58 @@ private:
         }
     }
 
+    // -------------------------------------------------------------------------------- outlines
+    void outlines(const YamlEntry& entry) {
+        for (const YamlEntry& one : yaml_.map(entry.value, "'outlines'", outline_remedy)) {
+            solve::Outline outline;
+            outline.name = one.name;
+            outline.written = one.written;
+            std::optional<std::string> object;
+            if (one.value.IsMap()) {
+                object = points(one, outline);
+            } else {
+                object = yaml_.word(one.value, outline_remedy);
+            }
+            if (object && made_.scene.empty()) {
+                yaml_.error(one.written,
+                            fmt::format("'{}' is the outline of an object of no scene", one.name),
+                            "add the entry scene: FILE");
+            } else if (object) {
+                made_.outlines_of_objects.push_back(
+                    {outlines_.size(), std::move(*object), one.written});
+            }
+            outlines_.push_back(one.name);
+            made_.problem.outlines.push_back(std::move(outline));
+        }
+    }
+
+    /// The object, if the outline is of one.
+    std::optional<std::string> points(const YamlEntry& entry, solve::Outline& outline) {
+        std::optional<std::string> object;
+        for (const YamlEntry& one :
+             yaml_.map(entry.value, fmt::format("the outline '{}'", entry.name), outline_remedy,
+                       {"object", "points", "near"})) {
+            if (one.name == "object") {
+                object = yaml_.word(one.value, outline_remedy);
+            } else if (one.name == "near") {
+                outline.near = position(one.value);
+            } else {
+                for (const YAML::Node& point : yaml_.list(one.value)) {
+                    if (const auto read = yaml_.vector(point, outline_remedy)) {
+                        outline.points.push_back(*read);
+                    }
+                }
+            }
+        }
+        if (object.has_value() != outline.points.empty() && !has_errors(yaml_.found())) {
+            yaml_.error(entry.written,
+                        fmt::format("the outline '{}' has {}", entry.name,
+                                    object ? "an object and points" : "no points"),
+                        std::string(outline_remedy));
+        }
+        return object;
+    }
+
     // ----------------------------------------------------------------------------- constraints
     void constraints(const YamlEntry& entry) {
         if (!entry.value.IsSequence()) {
@@ -245,7 +298,7 @@ private:
                         std::string(ConstraintReader::remedy));
             return;
         }
-        const ConstraintReader reader(yaml_, marks_, from_corner_);
+        const ConstraintReader reader(yaml_, marks_, outlines_, from_corner_);
         for (const YAML::Node& row : entry.value) {
             if (yaml_.goes_on()) {
                 if (auto read = reader.read(row)) {
@@ -337,7 +390,8 @@ private:
     Marks made_;
     std::vector<std::string> marks_;    ///< Names, by index.
     std::vector<std::string> targets_;  ///< The same.
-    V2d from_corner_{0.0};              ///< Of the position [0, 0].
+    std::vector<std::string> outlines_;
+    V2d from_corner_{0.0};  ///< Of the position [0, 0].
 };
 
 }  // namespace

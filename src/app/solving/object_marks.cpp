@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "app/solving/outline_points.hpp"
 #include "app/words.hpp"
 #include "balcony/inputs.hpp"
 #include "balcony/object_names.hpp"
@@ -48,16 +49,28 @@ Diagnostics place_on_objects(Marks& marks, const std::filesystem::path& file,
         return found;
     }
     marks.axes = marks.axes.value_or(scene->axes);
-    for (const Marks::OnObject& one : marks.on_objects) {
-        const std::vector<std::uint32_t> objects = scene::objects_named(*scene, one.object);
+    const auto objects_of = [&](const auto& one) {
+        std::vector<std::uint32_t> objects = scene::objects_named(*scene, one.object);
         if (objects.empty()) {
             found.push_back(scene::no_object(
                 *scene, fmt::format("'{}' has no object '{}'", scene->name, printable(one.object)),
                 one.object, one.written));
-            continue;
         }
-        marks.problem.marks[one.mark].place =
-            turned(place_in(box_of(*scene, objects), one.part), scene->axes, *marks.axes);
+        return objects;
+    };
+    for (const Marks::OnObject& one : marks.on_objects) {
+        if (const auto objects = objects_of(one); !objects.empty()) {
+            marks.problem.marks[one.mark].place =
+                turned(place_in(box_of(*scene, objects), one.part), scene->axes, *marks.axes);
+        }
+    }
+    for (const Marks::OutlineOfObject& one : marks.outlines_of_objects) {
+        if (const auto objects = objects_of(one); !objects.empty()) {
+            std::vector<V3d>& points = marks.problem.outlines[one.outline].points;
+            for (const V3d& point : outline_points(*scene, objects)) {
+                points.push_back(turned(point, scene->axes, *marks.axes));
+            }
+        }
     }
     return found;
 }

@@ -13,7 +13,7 @@ namespace balcony::app {
 [[nodiscard]] std::filesystem::path scene_of(const Marks& marks,
                                              const std::filesystem::path& folder);
 
-/// Gives the marks on objects of the scene their places.
+/// Gives the marks on objects of the scene their places, and the outlines of objects their points.
 [[nodiscard]] Diagnostics place_on_objects(Marks& marks, const std::filesystem::path& scene,
                                            const std::stop_token& stop);
 

@@ -129,12 +129,19 @@ std::string to_text(const app::SolveReport& report) {
 
 json to_json(const app::SolveReport& report) {
     const solve::Solution& solution = report.solution;
-    json document{{"camera", report.camera},           {"width", report.width},
-                  {"height", report.height},           {"converged", solution.converged},
-                  {"iterations", solution.iterations}, {"cost", solution.cost},
-                  {"parameters", json::array()},       {"correlations", json::array()},
-                  {"targets", json::array()},          {"marks", json::array()},
-                  {"constraints", json::array()},      {"text", report.text}};
+    json document{{"camera", report.camera},
+                  {"width", report.width},
+                  {"height", report.height},
+                  {"converged", solution.converged},
+                  {"iterations", solution.iterations},
+                  {"cost", solution.cost},
+                  {"parameters", json::array()},
+                  {"correlations", json::array()},
+                  {"targets", json::array()},
+                  {"marks", json::array()},
+                  {"outlines", json::array()},
+                  {"constraints", json::array()},
+                  {"text", report.text}};
     for (const app::SolvedParameter& one : report.parameters) {
         document["parameters"].push_back({{"name", one.name},
                                           {"value", one.value},
@@ -156,6 +163,14 @@ json to_json(const app::SolveReport& report) {
         const auto& seen = solution.seen[i];
         document["marks"].push_back({{"name", report.problem.marks[i].name},
                                      {"seen", seen ? json{seen->x, seen->y} : json()}});
+    }
+    for (std::size_t i = 0; i < solution.outlines.size(); ++i) {
+        json corners = json::array();
+        for (const solve::V2d& corner : solution.outlines[i]) {
+            corners.push_back({corner.x, corner.y});
+        }
+        document["outlines"].push_back(
+            {{"name", report.problem.outlines[i].name}, {"corners", std::move(corners)}});
     }
     for (std::size_t i = 0; i < solution.misses.size(); ++i) {
         const solve::Miss& miss = solution.misses[i];
