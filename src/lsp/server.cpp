@@ -221,8 +221,8 @@ void LanguageServer::publish(const app::TextCheck& check) {
         return;
     }
     text->second.found = check.found;
-    send_(notification(publishing, diagnostics_of(check.name, *check.text, check.found,
-                                                  text->second.version())));
+    send_(notification(
+        publishing, diagnostics_of(check.name, *check.text, check.found, text->second.version())));
 }
 
 }  // namespace balcony::lsp

@@ -106,8 +106,8 @@ std::variant<std::string, NoMessage> read_message(std::istream& stream) {
 nlohmann::json refusal_of(NoMessage why) {
     const lsp::Refusal refusal =
         why == NoMessage::too_long
-            ? lsp::Refusal{lsp::invalid_request, fmt::format("a message is longer than {} bytes",
-                                                             lsp::longest_message)}
+            ? lsp::Refusal{lsp::invalid_request,
+                           fmt::format("a message is longer than {} bytes", lsp::longest_message)}
             : lsp::Refusal{lsp::parse_error,
                            "a header is wrong: a message begins with Content-Length: and its "
                            "length in bytes"};
