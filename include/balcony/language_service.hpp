@@ -17,6 +17,7 @@
 
 #include "balcony/base.hpp"
 #include "balcony/catalogue.hpp"
+#include "balcony/handles.hpp"
 
 namespace balcony::lang {
 
@@ -143,6 +144,18 @@ public:
     /// The values of lets and of defaults that are not plain numbers, in the order of the text.
     [[nodiscard]] std::vector<KnownValue> values() const;
     [[nodiscard]] std::vector<DeclaredName> declared() const;
+
+    /// What a hand can move of a camera or a picture, the last one if `camera` is empty; in the
+    /// order of its statements. None after errors.
+    [[nodiscard]] std::vector<Handle> handles(std::string_view camera = {}) const;
+    /// The changes of this text that give numbers of one of its handles other values, within their
+    /// limits. Units, comments and layout are kept. It is an error if a number does not move, or if
+    /// no value of its literal gives it the value.
+    [[nodiscard]] Result<std::vector<TextEdit>> moved(std::string_view camera, const Handle& handle,
+                                                      const std::vector<HandleMove>& moves) const;
+    /// The changes that give parameters of a camera other values, as Workspace::with_values does.
+    [[nodiscard]] Result<std::vector<TextEdit>> with_values(
+        std::string_view camera, const std::vector<ParameterMove>& values) const;
 
 private:
     class Implementation;

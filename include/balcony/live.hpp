@@ -20,19 +20,12 @@
 #include <vector>
 
 #include "balcony/base.hpp"
+#include "balcony/drag.hpp"
 #include "balcony/lang.hpp"
 #include "balcony/prepared_scene.hpp"
 #include "balcony/request.hpp"
 
 namespace balcony::live {
-
-/// Another value for a parameter, in place of what the text says.
-struct Value {
-    std::string parameter;
-    double value = 0.0;  ///< In radians if it is an angle.
-
-    bool operator==(const Value&) const = default;
-};
 
 /// What changes in the picture. Members without a value stay as they are.
 struct Change {
@@ -41,6 +34,9 @@ struct Change {
     std::optional<std::vector<Value>> values{};        ///< All of them.
     std::optional<std::array<std::size_t, 2>> size{};  ///< Width and height in pixels.
     bool choose_exposure = false;  ///< By this picture, for this and later ones.
+    /// What a hand pulls, from `values` as they are without it: until another drag comes, the
+    /// picture is shown with the values that follow. One without pulls ends it.
+    std::optional<Drag> drag{};
 };
 
 /// How a picture is made, from the first answer to the last.
@@ -76,6 +72,7 @@ struct CameraState {
 struct Observer {
     std::function<void(const Frame&)> frame{};
     std::function<void(const CameraState&)> camera{};  ///< After each change, before its frames.
+    std::function<void(const Dragged&)> drag{};        ///< What follows, before the frames show it.
     /// Nothing is left to do for the newest change, whose number it is.
     std::function<void(std::uint64_t)> rest{};
 };

@@ -16,6 +16,7 @@
 #include "balcony/lang.hpp"
 #include "balcony/render.hpp"
 #include "balcony/request.hpp"
+#include "balcony/scene.hpp"
 
 namespace balcony::app {
 
@@ -45,6 +46,7 @@ public:
                                           std::string_view integrator,
                                           const std::stop_token& stop = {}) const;
 
+    [[nodiscard]] const std::shared_ptr<const scene::Scene>& scene() const;
     [[nodiscard]] const render::Renderer& renderer() const;
     /// Those of the request, with its environment.
     [[nodiscard]] const render::Settings& settings() const;

@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <stop_token>
@@ -28,6 +29,7 @@
 #include "balcony/camera.hpp"
 #include "balcony/catalogue.hpp"
 #include "balcony/names.hpp"
+#include "balcony/picture.hpp"
 
 namespace balcony::solve {
 
@@ -208,6 +210,35 @@ struct Solution {
     double cost = 0.0;  ///< The sum of squares, with tolerances applied.
     std::size_t iterations = 0;
     bool converged = false;
+};
+
+class InputRays;
+
+/// A layer of a picture that is solved again and again for the same inputs, as while a hand pulls
+/// at what it shows: its formulas are compiled once. Immutable, may be shared by threads.
+class Solver {
+public:
+    /// A camera layer of the picture, by its number from the back, in a picture of a size in
+    /// pixels. The picture has no inputs but these.
+    [[nodiscard]] static Result<Solver> make(const camera::Picture& picture, std::size_t layer,
+                                             double width, double height,
+                                             std::vector<std::string> inputs,
+                                             const std::stop_token& stop = {});
+
+    /// The axes of the marks.
+    [[nodiscard]] Axes axes() const { return axes_; }
+    /// As solve() below, with constraints on marks or outlines only. The unknowns have the inputs
+    /// that it was made for, in their order; one that is known has a range of one number.
+    [[nodiscard]] Result<Solution> solve(const Problem& problem, const Options& options = {},
+                                         const std::stop_token& stop = {}) const;
+
+private:
+    Solver(std::shared_ptr<const InputRays> rays, Axes axes, double width, double height,
+           std::vector<std::string> inputs);
+    std::shared_ptr<const InputRays> rays_;
+    Axes axes_;
+    double width_, height_;
+    std::vector<std::string> inputs_;
 };
 
 /// Makes a camera of the values of the unknowns without an input, in their order.

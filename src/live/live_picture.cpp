@@ -63,6 +63,22 @@ void LivePicture::move(const std::vector<Value>& values, Diagnostics& found) {
     }
 }
 
+Dragged LivePicture::drag(const Drag& drag, const std::vector<Value>& values, Axes axes,
+                          const std::stop_token& stop) {
+    if (!dragger_ || dragged_layer_ != drag.layer) {
+        Result<Dragger> made = Dragger::make(opened_, drag.layer, size_, stop);
+        dragger_ = std::move(made.value);
+        dragged_layer_ = drag.layer;
+        if (!dragger_) {
+            Dragged none;
+            none.points.resize(drag.pulls.size());
+            none.diagnostics = std::move(made.diagnostics);
+            return none;
+        }
+    }
+    return dragger_->drag(drag, values, axes, stop);
+}
+
 std::vector<lang::Override> LivePicture::closed_among(const std::vector<Value>& values) const {
     std::vector<lang::Override> closed;
     for (const Value& value : values) {

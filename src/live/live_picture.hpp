@@ -50,6 +50,10 @@ public:
     /// The values of parameters that are not open, for another camera.
     [[nodiscard]] std::vector<lang::Override> closed_among(const std::vector<Value>& values) const;
 
+    /// What follows a drag, from these values. `axes` are those of its points.
+    [[nodiscard]] Dragged drag(const Drag& drag, const std::vector<Value>& values, Axes axes,
+                               const std::stop_token& stop);
+
     /// A preview of one ray a pixel, in a size that is divided by this. Null if it fails, as the
     /// diagnostics say, or is stopped.
     [[nodiscard]] const render::Film* preview(const app::PreparedScene& scene, std::size_t part,
@@ -68,6 +72,8 @@ private:
     MovingJob coarse_;
     MovingJob preview_;
     MovingJob paths_;
+    std::optional<Dragger> dragger_;  ///< Of the layer that was dragged last.
+    std::size_t dragged_layer_ = 0;
 };
 
 }  // namespace balcony::live

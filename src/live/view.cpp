@@ -41,6 +41,7 @@ struct Wanted {
     std::vector<Value> values;
     std::array<std::size_t, 2> size{960, 540};
     bool chooses_exposure = false;
+    Drag drag;
 
     void add(Change&& more) {
         ++change;
@@ -49,6 +50,7 @@ struct Wanted {
         replace(camera, std::move(more.camera));
         replace(values, std::move(more.values));
         replace(size, std::move(more.size));
+        replace(drag, std::move(more.drag));
         size = {std::max<std::size_t>(size[0], 1), std::max<std::size_t>(size[1], 1)};
         chooses_exposure |= more.choose_exposure;
     }
@@ -80,6 +82,7 @@ struct View::State {
     [[nodiscard]] bool follow(const Wanted& next, const std::stop_token& newer);
     [[nodiscard]] bool make(const Wanted& next, const std::vector<lang::Override>& closed,
                             const std::stop_token& newer, Diagnostics& found);
+    [[nodiscard]] std::vector<Value> dragged(const Wanted& next, const std::stop_token& newer);
     [[nodiscard]] std::size_t coarse_part(const std::array<std::size_t, 2>& size) const;
     void show_preview(const Wanted& next, std::size_t part, const std::stop_token& stop);
     [[nodiscard]] bool is_at_rest(const Wanted& next, const std::stop_token& newer);
@@ -208,9 +211,27 @@ bool View::State::follow(const Wanted& next, const std::stop_token& newer) {
     if (picture->size() != next.size) {
         picture.emplace(picture->opened(), next.size);
     }
-    picture->move(next.values, found);
+    picture->move(dragged(next, newer), found);
     tell_camera(next, std::move(found));
     return true;
+}
+
+// The values of a change, or what follows its drag.
+std::vector<Value> View::State::dragged(const Wanted& next, const std::stop_token& newer) {
+    std::vector<Value> values = next.values;
+    if (next.drag.pulls.empty()) {
+        return values;
+    }
+    Dragged made = picture->drag(next.drag, values, scene.scene()->axes, newer);
+    made.change = next.change;
+    for (const Value& one : made.values) {
+        std::erase_if(values, [&](const Value& given) { return given.parameter == one.parameter; });
+        values.push_back(one);
+    }
+    if (observer.drag && !newer.stop_requested()) {
+        observer.drag(made);
+    }
+    return values;
 }
 
 // Values of parameters that are not open shape the camera. Tells why there is none.

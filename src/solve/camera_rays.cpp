@@ -60,6 +60,15 @@ CameraRays::CameraRays(const CameraMaker& make, const V2d& size, const Problem& 
     }
 }
 
+CameraRays::CameraRays(std::shared_ptr<const InputRays> rays, const V2d& size,
+                       const Problem& problem)
+    : make_(nullptr), problem_(&problem), size_(size) {
+    for (const Unknown& unknown : problem.unknowns) {
+        inputs_.push_back(unknown.input);
+    }
+    cameras_.emplace(std::vector<double>(), std::move(rays));
+}
+
 Result<CameraRays> CameraRays::make(const CameraMaker& make, const V2d& size,
                                     const Problem& problem, const std::stop_token& stop) {
     CameraRays made(make, size, problem, stop);

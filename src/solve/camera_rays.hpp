@@ -21,6 +21,9 @@ public:
                                                  const Problem& problem,
                                                  const std::stop_token& stop);
 
+    /// The rays of a camera whose unknowns all have inputs, without shapes.
+    CameraRays(std::shared_ptr<const InputRays> rays, const V2d& size, const Problem& problem);
+
     /// As of InputRays, by unknown. Invalid where no camera can be made.
     [[nodiscard]] std::vector<InputRay> at(std::span<const V2d> points,
                                            std::span<const double> values, bool by_unknown) const;

@@ -68,10 +68,22 @@ Result<InputRays> InputRays::make(const camera::Camera& camera, double width, do
     if (camera.parts().bend) {
         return rays::bent_rays_error(camera.name(), camera.parts().bend_span);
     }
+    return make({[&](expr::Graph& graph) { return camera.emit(graph, width, height); },
+                 camera.parts().axes,
+                 camera.name(),
+                 {width, height}},
+                inputs, shapes, stop);
+}
+
+Result<InputRays> InputRays::make(const RaySource& source, const std::vector<std::string>& inputs,
+                                  const std::vector<const Constraint*>& shapes,
+                                  const std::stop_token& stop) {
     const auto make = [&](expr::Graph& graph) -> Result<InputRays> {
-        const camera::RayExpressions ray = camera.emit(graph, width, height);
-        const Axes axes = camera.parts().axes;
-        std::vector<Expr> roots = rays::ray_roots(ray, false, true, axes, axes);
+        const camera::RayExpressions ray = source.emit(graph);
+        if (ray.bend) {
+            return rays::bent_rays_error(source.name, {});
+        }
+        std::vector<Expr> roots = rays::ray_roots(ray, false, true, source.axes, source.axes);
         const std::vector<Expr> of(roots.begin(), roots.begin() + change_size);
         const program::Interface interface = interface_of(inputs);
 
@@ -99,7 +111,8 @@ Result<InputRays> InputRays::make(const camera::Camera& camera, double width, do
         }
         return made;
     };
-    return rays::within_limits<InputRays>("camera", camera.name(), {width, height}, stop, make);
+    return rays::within_limits<InputRays>("camera", source.name, {source.size.x, source.size.y},
+                                          stop, make);
 }
 
 std::vector<InputRay> InputRays::at(std::span<const V2d> points, std::span<const double> values,

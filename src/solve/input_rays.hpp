@@ -36,9 +36,21 @@ struct ShapeValues {
     std::vector<std::vector<double>> by_input;  ///< By value, then by input.
 };
 
+/// What rays are made of: a camera, or a layer of a picture.
+struct RaySource {
+    std::function<camera::RayExpressions(expr::Graph& graph)> emit;
+    Axes axes = Axes::z_up;
+    std::string name;
+    V2d size;
+};
+
 /// The rays of a camera in a picture of one size, for any values of some inputs. Immutable.
 class InputRays {
 public:
+    [[nodiscard]] static Result<InputRays> make(const RaySource& source,
+                                                const std::vector<std::string>& inputs,
+                                                const std::vector<const Constraint*>& shapes,
+                                                const std::stop_token& stop);
     [[nodiscard]] static Result<InputRays> make(const camera::Camera& camera, double width,
                                                 double height,
                                                 const std::vector<std::string>& inputs,

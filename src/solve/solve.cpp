@@ -16,6 +16,7 @@
 
 #include "balcony/progress.hpp"
 #include "solve/first_pose.hpp"
+#include "solve/minimum.hpp"
 #include "solve/outlines.hpp"
 #include "solve/problem_check.hpp"
 #include "solve/projection_errors.hpp"
@@ -226,7 +227,7 @@ Problem started(Problem problem, std::size_t number) {
 }
 
 // Nothing if rounding takes a mark out of the picture there.
-std::optional<Solution> solution_of(const Minimum& minimum, const System& system,
+std::optional<Solution> solution_at(const Minimum& minimum, const System& system,
                                     const Problem& given) {
     const std::size_t inputs = given.unknowns.size();
     std::optional<std::vector<Miss>> misses = system.misses(minimum.unknowns);
@@ -338,30 +339,25 @@ Diagnostics warnings_of(const Problem& problem, const Solution& solution, std::s
 
 }  // namespace
 
-Result<Solution> solve(const CameraMaker& make, double width, double height, const Problem& given,
-                       const Options& options, const std::stop_token& stop) {
-    if (Diagnostics found = problems_of(given); !found.empty()) {
-        return found;
-    }
-    const Problem problem = with_outline_marks(with_positions(given));
-    const V2d size(width, height);
-    Result<CameraRays> rays = CameraRays::make(make, size, problem, stop);
-    if (!rays) {
-        return std::move(rays.diagnostics);
-    }
+Problem with_solving(Problem problem) {
+    return with_outline_marks(with_positions(std::move(problem)));
+}
+
+Result<Solution> solution_of(const CameraRays& rays, const Problem& given, const Problem& problem,
+                             const V2d& size, const Options& options, const std::stop_token& stop) {
     std::optional<Solution> best;
     Diagnostics first_found;
     std::size_t equations = 0;
     for (std::size_t number = 0; number < std::max<std::size_t>(options.starts, 1); ++number) {
-        Result<Problem> trial = with_poses(*rays, started(problem, number));
+        Result<Problem> trial = with_poses(rays, started(problem, number));
         Result<std::vector<V2d>> near =
-            trial ? first_positions(*rays, *trial, given.marks.size(), size)
+            trial ? first_positions(rays, *trial, given.marks.size(), size)
                   : Result<std::vector<V2d>>(trial.diagnostics);
         if (!near) {
             first_found = number == 0 ? std::move(near.diagnostics) : std::move(first_found);
             continue;
         }
-        System system(*rays, *trial, size, *near);
+        System system(rays, *trial, size, *near);
         const std::optional<Minimum> minimum =
             minimize([&](const VectorXd& at) { return system.residuals(at); }, system.start(),
                      system.limits(), options.iterations, stop);
@@ -371,11 +367,11 @@ Result<Solution> solve(const CameraMaker& make, double width, double height, con
         if (!minimum || (best && !(minimum->residuals.values.squaredNorm() < best->cost))) {
             continue;
         }
-        if (auto made = solution_of(*minimum, system, given)) {
+        if (auto made = solution_at(*minimum, system, given)) {
             best = std::move(*made);
             equations = static_cast<std::size_t>(minimum->residuals.values.size());
             if (options.errors) {
-                best->errors = projection_errors(*rays, *trial, size, minimum->unknowns,
+                best->errors = projection_errors(rays, *trial, size, minimum->unknowns,
                                                  spread_of(minimum->residuals), *options.errors);
             }
         }
@@ -393,6 +389,18 @@ Result<Solution> solve(const CameraMaker& make, double width, double height, con
             "begin nearer to it, or allow more iterations"));
     }
     return {std::move(*best), std::move(warnings)};
+}
+
+Result<Solution> solve(const CameraMaker& make, double width, double height, const Problem& given,
+                       const Options& options, const std::stop_token& stop) {
+    if (Diagnostics found = problems_of(given); !found.empty()) {
+        return found;
+    }
+    const Problem problem = with_solving(given);
+    const V2d size(width, height);
+    const Result<CameraRays> rays = CameraRays::make(make, size, problem, stop);
+    return rays ? solution_of(*rays, given, problem, size, options, stop)
+                : Result<Solution>(rays.diagnostics);
 }
 
 Result<Solution> solve(const camera::Camera& camera, double width, double height,

@@ -40,6 +40,7 @@ public:
     [[nodiscard]] Observer observer() {
         return {.frame = [this](const Frame& frame) { add(frames_, frame); },
                 .camera = [this](const CameraState& state) { add(cameras_, state); },
+                .drag = [this](const Dragged& dragged) { add(drags_, dragged); },
                 .rest =
                     [this](std::uint64_t change) {
                         const std::lock_guard lock(mutex_);
@@ -81,6 +82,10 @@ public:
         const std::lock_guard lock(mutex_);
         return cameras_.empty() ? "" : to_text(cameras_.back().diagnostics);
     }
+    [[nodiscard]] std::vector<Dragged> drags() {
+        const std::lock_guard lock(mutex_);
+        return drags_;
+    }
     [[nodiscard]] std::vector<CameraState> cameras() {
         const std::lock_guard lock(mutex_);
         return cameras_;
@@ -98,6 +103,7 @@ private:
     std::condition_variable changed_;
     std::vector<Frame> frames_;
     std::vector<CameraState> cameras_;
+    std::vector<Dragged> drags_;
     std::uint64_t rest_ = 0;
 };
 
@@ -180,6 +186,32 @@ TEST_F(ViewTest, MovesOpenParametersWithoutMakingTheCameraAnew) {
     const std::uint64_t back = view->change({.text = fisheye});
     ASSERT_TRUE(told_.rests_at(back));
     EXPECT_NE(told_.frames_of(back).back().pixels, pixels);
+}
+
+// What follows a hand is shown until the drag ends.
+TEST_F(ViewTest, ShowsWhatFollowsADrag) {
+    const std::unique_ptr<View> view = open({.traces_paths = false});
+    const std::uint64_t before = view->change({.text = fisheye, .size = {{64, 48}}});
+    ASSERT_TRUE(told_.rests_at(before));
+    const std::vector<std::uint8_t> unmoved = told_.frames_of(before).back().pixels;
+    // 64 pixels are 120 degrees; the scene has y upwards, where the camera has z.
+    const Drag drag{{{{1, 0, 0}, true, {32, 24}, {48, 24}}}, {"turn"}};
+    const std::uint64_t pulled = view->change({.drag = drag});
+    ASSERT_TRUE(told_.rests_at(pulled));
+    ASSERT_EQ(told_.drags().size(), 1U);
+    const Dragged dragged = told_.drags().front();
+    EXPECT_EQ(dragged.change, pulled);
+    EXPECT_TRUE(dragged.points.front().follows);
+    ASSERT_EQ(dragged.values.size(), 1U);
+    EXPECT_NEAR(dragged.values.front().value, 30.0 * 3.14159265358979 / 180.0, 1e-9);
+    const std::uint64_t ended = view->change({.drag = Drag()});
+    ASSERT_TRUE(told_.rests_at(ended));
+    EXPECT_EQ(told_.frames_of(ended).back().pixels, unmoved);
+    const std::uint64_t set = view->change({.values = dragged.values});
+    ASSERT_TRUE(told_.rests_at(set));
+    EXPECT_EQ(told_.frames_of(set).back().pixels, told_.frames_of(pulled).back().pixels);
+    EXPECT_NE(told_.frames_of(set).back().pixels, unmoved);
+    EXPECT_EQ(told_.drags().size(), 1U);
 }
 
 TEST_F(ViewTest, TellsMistakesAndKeepsTheLastGoodCamera) {

@@ -83,6 +83,9 @@ Result<double> PreparedScene::exposure(const camera::Picture& picture, std::stri
     return look ? Result<double>(look->exposure) : Result<double>(look.diagnostics);
 }
 
+const std::shared_ptr<const scene::Scene>& PreparedScene::scene() const {
+    return state_->loaded.scene;
+}
 const render::Renderer& PreparedScene::renderer() const { return *state_->loaded.renderer; }
 const render::Settings& PreparedScene::settings() const { return state_->loaded.settings; }
 

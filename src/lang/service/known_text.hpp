@@ -93,5 +93,12 @@ private:
                                                    std::string_view new_name);
 [[nodiscard]] std::vector<KnownValue> values(const KnownText& text);
 [[nodiscard]] std::vector<DeclaredName> declared(const KnownText& text);
+[[nodiscard]] std::vector<Handle> handles(const KnownText& text, std::string_view camera);
+[[nodiscard]] Result<std::vector<TextEdit>> moved(const KnownText& text, std::string_view camera,
+                                                  const Handle& handle,
+                                                  const std::vector<HandleMove>& moves);
+[[nodiscard]] Result<std::vector<TextEdit>> with_values(const KnownText& text,
+                                                        std::string_view camera,
+                                                        const std::vector<ParameterMove>& moves);
 
 }  // namespace balcony::lang

@@ -53,4 +53,18 @@ std::vector<KnownValue> EditedText::values() const { return lang::values(*implem
 
 std::vector<DeclaredName> EditedText::declared() const { return lang::declared(*implementation_); }
 
+std::vector<Handle> EditedText::handles(std::string_view camera) const {
+    return lang::handles(*implementation_, camera);
+}
+
+Result<std::vector<TextEdit>> EditedText::moved(std::string_view camera, const Handle& handle,
+                                                const std::vector<HandleMove>& moves) const {
+    return lang::moved(*implementation_, camera, handle, moves);
+}
+
+Result<std::vector<TextEdit>> EditedText::with_values(
+    std::string_view camera, const std::vector<ParameterMove>& values) const {
+    return lang::with_values(*implementation_, camera, values);
+}
+
 }  // namespace balcony::lang
