@@ -14,6 +14,7 @@
 
 #include <fmt/format.h>
 
+#include "balcony/drag.hpp"
 #include "balcony/lang.hpp"
 #include "balcony/ray_roots.hpp"
 #include "bench_case.hpp"
@@ -81,6 +82,42 @@ solve::Problem problem_of(const lang::OpenCamera& camera, std::size_t marks) {
     return problem;
 }
 
+// Two points are seen. One is held, and a hand pulls the other one 60 pixels to the right in steps
+// of 2.
+void print_drags() {
+    fmt::print("\na point that is pulled and one that is held, all open parameters follow\n\n");
+    fmt::print("{:<20}{:>10}{:>12}{:>12}{:>12}\n", "camera", "unknowns", "compile ms", "median ms",
+               "most ms");
+    for (const char* const name : {"pinhole", "panorama", "fisheye", "panini"}) {
+        const auto picture = lang::Workspace().make_open_picture(name);
+        const auto camera = lang::Workspace().make_open_camera(name, "", {});
+        if (!picture || !camera) {
+            throw std::runtime_error("a built-in camera is not made");
+        }
+        const solve::Problem seen = problem_of(*camera, 2);
+        const auto start = std::chrono::steady_clock::now();
+        auto hand = live::Dragger::make(*picture, 0, {960, 540});
+        const std::chrono::duration<double, std::milli> compiled =
+            std::chrono::steady_clock::now() - start;
+        if (!hand) {
+            throw std::runtime_error(hand.diagnostics.front().message);
+        }
+        std::vector<double> taken;
+        for (int step = 1; step <= 30; ++step) {
+            live::Drag drag;
+            for (std::size_t i = 0; i < seen.marks.size(); ++i) {
+                const solve::V2d at = seen.constraints[i].position;
+                drag.pulls.push_back({seen.marks[i].place, false, at,
+                                      i == 0 ? at : at + solve::V2d(2.0 * step, 0.0)});
+            }
+            taken.push_back(1e3 * hand->drag(drag, {}, camera->camera.parts().axes).seconds);
+        }
+        std::sort(taken.begin(), taken.end());
+        fmt::print("{:<20}{:>10}{:>12.1f}{:>12.2f}{:>12.2f}\n", name, picture->open.size(),
+                   compiled.count(), taken[taken.size() / 2], taken.back());
+    }
+}
+
 }  // namespace
 
 void print_solve() {
@@ -120,6 +157,7 @@ void print_solve() {
         fmt::print("{:<20}{:>10}{:>8}{:>12}{:>10.1f}\n", one.name, problem.unknowns.size(),
                    one.marks, iterations, least);
     }
+    print_drags();
 }
 
 }  // namespace balcony::bench
