@@ -110,6 +110,7 @@ const keys: [string, string][] = [
     ["Ctrl+Enter", "render in full quality"],
     ["Alt+1, Alt+2", "go to the text, to the sliders"],
     ["Ctrl+Z, Ctrl+Y", "undo, redo, also what a slider has changed"],
+    ["Ctrl and the mouse", "drag a number of the text; with Shift, ten times as far"],
     ["Ctrl+Space", "show what can stand at the cursor"],
     ["Tab", "go to the next blank of a call, or leave the text"],
     ["F8", "go to the next mistake"],

@@ -22,6 +22,7 @@ import { editorTheme } from "./editor_theme";
 import { type KnownValue, knownValues, setKnownValues } from "./known_values";
 import { cameraColours, cameraIndent, cameraLanguage } from "./language";
 import { type Ask, changesOf, completions, help, offsetOf, positionOf, type Problem } from "./language_server";
+import { numberDrag } from "./number_drag";
 import type { Position, TextEdit } from "./protocol";
 import { signatureHelp } from "./signature_help";
 import { wrappedLines } from "./wrapped_lines";
@@ -95,6 +96,7 @@ export class CameraEditor extends LitElement {
             hoverTooltip(help(actions.ask), { hoverTime: 400, hideOnChange: true }),
             signatureHelp(actions.ask),
             knownValues,
+            numberDrag,
             editorTheme,
             EditorState.readOnly.of(isReadOnly),
             EditorView.contentAttributes.of({ "aria-label": "Text of the camera file" }),
@@ -157,8 +159,9 @@ export class CameraEditor extends LitElement {
         this.view?.dispatch({ effects: setKnownValues.of(values) });
     }
 
-    goTo(offset: number): void {
-        this.view?.dispatch({ selection: { anchor: offset }, scrollIntoView: true });
+    /** Selects a part of the text. */
+    goTo(from: number, to = from): void {
+        this.view?.dispatch({ selection: { anchor: from, head: to }, scrollIntoView: true });
         this.view?.focus();
     }
 

@@ -156,6 +156,6 @@ export const cameraColours = HighlightStyle.define([
     { tag: tags.function(tags.variableName), color: "var(--cam-stage)" },
     { tag: tags.standard(tags.variableName), color: "var(--cam-function)" },
     { tag: tags.propertyName, color: "var(--cam-parameter)" },
-    { tag: [tags.number, tags.unit, tags.atom], color: "var(--cam-number)" },
+    { tag: [tags.number, tags.unit, tags.atom], color: "var(--cam-number)", cursor: "var(--cam-number-cursor)" },
     { tag: tags.operator, color: "var(--cam-operator)" },
 ]);

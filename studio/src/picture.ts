@@ -26,11 +26,14 @@ export class LivePicture extends LitElement {
     static override properties = {
         problem: { attribute: false },
         waiting: {},
+        isBusy: { type: Boolean },
         label: {},
         ratio: { type: Number },
     };
     declare problem: Problem | null;
+    /** What is waited for, or why there is no picture; nothing if there is one. */
     declare waiting: string;
+    declare isBusy: boolean;
     declare label: string;
     /** Width / height of the picture at rest; a coarse one may differ by a pixel. */
     declare ratio: number;
@@ -45,6 +48,7 @@ export class LivePicture extends LitElement {
         super();
         this.problem = null;
         this.waiting = "";
+        this.isBusy = true;
         this.label = "";
         this.ratio = 16 / 9;
     }
@@ -95,7 +99,9 @@ export class LivePicture extends LitElement {
             </div>
             ${problem ? this.message(problem) : nothing}
             ${this.waiting && !problem
-                ? html`<div class="waiting"><span class="spinner"></span>${this.waiting}</div>`
+                ? html`<div class="waiting">
+                      ${this.isBusy ? html`<span class="spinner"></span>` : nothing}<span>${this.waiting}</span>
+                  </div>`
                 : nothing}
         `;
     }

@@ -50,6 +50,7 @@ export class Session implements Listener {
     about: About | null = null;
     link: Link = "connecting";
     scene: SceneState = { state: "loading" };
+    /** The last one without errors, whose picture is shown. */
     camera: CameraState | null = null;
     cameras: string[] = [];
     /** By its name in the file; the last one if empty. */
@@ -63,6 +64,7 @@ export class Session implements Listener {
     private readonly text = new SharedText((version, text) => this.send(version, text));
     private savedText: string | null = null;
     private textProblems: Problem[] = [];
+    private pictureProblems: FileDiagnostic[] = [];
     private size: [number, number] | null = null;
     private timer = 0;
 
@@ -81,7 +83,7 @@ export class Session implements Listener {
     /** Of the text, and of the picture what is not said by those. */
     get problems(): Problem[] {
         const text = this.page.text();
-        const ofPicture = this.about ? problemsOf(text, this.camera?.diagnostics ?? [], [], this.about.uri) : [];
+        const ofPicture = this.about ? problemsOf(text, this.pictureProblems, [], this.about.uri) : [];
         const said = new Set(this.textProblems.map(({ message }) => message));
         return [...this.textProblems, ...ofPicture.filter(({ message }) => !said.has(message))];
     }
@@ -89,6 +91,11 @@ export class Session implements Listener {
     /** What keeps the picture from following, or null. */
     get error(): Problem | null {
         return this.problems.find(({ severity }) => severity === "error") ?? null;
+    }
+
+    /** Whether the server has the text of the editor. */
+    get isSettled(): boolean {
+        return this.link === "open" && this.text.isSettled;
     }
 
     get isSaved(): boolean {
@@ -173,9 +180,13 @@ export class Session implements Listener {
             this.findValuesSoon();
         },
         "studio/saved": ({ version }: { version: number }) => void this.wasSaved(version),
-        "studio/scene": (state: SceneState) => (this.scene = state),
+        "studio/scene": (state: SceneState) => {
+            this.scene = state;
+            if (state.state === "ready" && state.message) this.page.say(state.message);
+        },
         "view/camera": (state: CameraState) => {
-            this.camera = state;
+            this.pictureProblems = state.diagnostics;
+            if (!state.diagnostics.some(({ severity }) => severity === 1)) this.camera = state;
             this.isAtRest = false;
             this.showProblems();
         },
@@ -194,7 +205,6 @@ export class Session implements Listener {
         if (!isShown) return;
         this.latency.drawn(head.change);
         this.shown = head;
-        this.scene = { state: "ready" };
         this.page.changed();
     }
 

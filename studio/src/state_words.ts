@@ -48,7 +48,9 @@ export function wordsOf({ link, scene, hasError, isAtRest, frame }: Doing): Word
     if (scene.state === "failed") {
         return { kind: "error", text: "No scene", advice: scene.message ?? "The scene cannot be loaded." };
     }
-    if (scene.state === "loading") return { kind: "busy", text: "Loading the scene" };
+    if (scene.state === "loading") {
+        return { kind: "busy", text: "Loading the scene", ...(scene.message ? { advice: scene.message } : {}) };
+    }
     if (hasError) return { kind: "error", text: "The text has an error" };
     if (!frame) return { kind: "busy", text: "Making the first picture" };
     if (isAtRest) {

@@ -65,7 +65,7 @@ export class BalconyStudio extends LitElement implements Page {
             timer = window.setTimeout(() => this.fit(), 120);
         }).observe(this.picture);
         this.picture.onfix = (problem, fix) => this.mend(problem, fix);
-        this.picture.onplace = (problem) => this.editor.goTo(problem.from);
+        this.picture.onplace = ({ from, to }) => this.editor.goTo(from, to);
         this.sliders.onmove = (values) => this.session.changeView({ values });
         this.sliders.onrest = (values) => void this.write(values);
         this.session.connection.open();
@@ -197,8 +197,10 @@ export class BalconyStudio extends LitElement implements Page {
             if (!words) return; // The values go into the text when the server is back.
             this.say(words, true);
             this.sliders.forget();
+            this.session.changeView({ values: [] });
         }
-        this.session.changeView({ values: this.sliders.values });
+        // The new text has put an end to the values of before.
+        if (this.sliders.values.length > 0) this.session.changeView({ values: this.sliders.values });
     }
 
     private fit(): void {
@@ -263,7 +265,7 @@ export class BalconyStudio extends LitElement implements Page {
         const words = wordsOf(session.doing);
         const { camera, error, shown, latency } = session;
         const follows = latency.typical;
-        const go = (problem: Problem): void => this.editor.goTo(problem.from);
+        const go = ({ from, to }: Problem): void => this.editor.goTo(from, to);
         const parameters: Parameter[] = camera ? [...camera.open, ...camera.closed] : [];
         return html`
             ${toolbar({ session, size: this.size, pixels: this.pixels, theme: chosenTheme() }, this.actions)}
@@ -271,7 +273,8 @@ export class BalconyStudio extends LitElement implements Page {
                 <section class="seen" aria-label="Picture">
                     <live-picture
                         .problem=${error}
-                        .waiting=${shown ? "" : words.text}
+                        .waiting=${shown ? "" : [words.text, words.advice ?? ""].join("\n")}
+                        .isBusy=${words.kind === "busy"}
                         .ratio=${this.pixels[1] > 0 ? this.pixels[0] / this.pixels[1] : 16 / 9}
                         .label="Picture of the camera ${camera?.name ?? ""}"
                     ></live-picture>

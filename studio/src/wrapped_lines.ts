@@ -9,13 +9,25 @@ import { Decoration, type DecorationSet, EditorView, ViewPlugin, type ViewUpdate
 const more = 4;
 const most = 24;
 
+// Classes, as the content security policy forbids inline styles.
+const columns = [...Array(most + 1).keys()];
+const lines = columns.map((count) => Decoration.line({ class: `cam-indent-${count}` }));
+const theme = EditorView.theme(
+    Object.fromEntries(
+        columns.map((count) => [
+            `.cm-line.cam-indent-${count}`,
+            { paddingLeft: `calc(4px + ${count}ch)`, textIndent: `-${count}ch` },
+        ]),
+    ),
+);
+
 function indents(view: EditorView): DecorationSet {
     const made = new RangeSetBuilder<Decoration>();
     for (const { from, to } of view.visibleRanges) {
         for (let at = from; at <= to; ) {
             const line = view.state.doc.lineAt(at);
-            const columns = Math.min(most, line.text.search(/\S|$/) + more);
-            made.add(line.from, line.from, Decoration.line({ attributes: { style: `--indent: ${columns}ch` } }));
+            const count = Math.min(most, line.text.search(/\S|$/) + more);
+            made.add(line.from, line.from, lines[count]!);
             at = line.to + 1;
         }
     }
@@ -37,4 +49,4 @@ const plugin = ViewPlugin.fromClass(
     { decorations: (plugin) => plugin.decorations },
 );
 
-export const wrappedLines: Extension = [EditorView.lineWrapping, plugin];
+export const wrappedLines: Extension = [EditorView.lineWrapping, theme, plugin];

@@ -15,7 +15,7 @@ const repository = join(dirname(fileURLToPath(import.meta.url)), "../..");
 
 /** The modules of the page as one. */
 async function page() {
-    const names = ["shared_text", "language", "language_server", "parameter_range", "picture_size", "latency"];
+    const names = ["shared_text", "language", "language_server", "parameter_range", "picture_size", "latency", "number_drag"];
     const made = await build({
         stdin: {
             contents: [
@@ -253,6 +253,15 @@ test("a slider keeps to the limits of its parameter, and has room where there ar
     }
     assert.equal(parts.numberText(30.85), "30.85");
     assert.equal(parts.rounded(1.4210000000000003, 0.001), 1.421);
+});
+
+test("a number that is dragged in the text", () => {
+    const found = (line, part) => parts.numberAt(line, line.indexOf(part) + 1);
+    assert.deepEqual(found("seam = 30.85deg) {", "30.85"), { from: 7, to: 12, value: 30.85, step: 0.1 });
+    assert.deepEqual(found("map u = -36deg .. 1", "36"), { from: 8, to: 11, value: -36, step: 0.1 });
+    assert.deepEqual(found("let a = b-2", "2"), { from: 10, to: 11, value: 2, step: 0.01 });
+    assert.deepEqual(found("a(0..4)", "4"), { from: 5, to: 6, value: 4, step: 0.01 });
+    assert.equal(found("x1 = y", "x1"), null);
 });
 
 test("the size of the picture", () => {

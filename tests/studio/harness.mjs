@@ -1,0 +1,184 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// A server of the studio, and pages of it in a browser.
+
+import { execFileSync, spawn } from "node:child_process";
+import { once } from "node:events";
+import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { createServer } from "node:net";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { createInterface } from "node:readline";
+import { chromium } from "../../studio/node_modules/playwright-core/index.mjs";
+
+export const patience = 30_000;
+
+/** With comments behind numbers, a camera of 9 numbers that all move, and a second camera. */
+export const text = `// A second camera.
+camera straight(fov = 80deg) {
+    map    u = tan(fov/2) .. -tan(fov/2), v = square
+    eye    point(0, 0, 0)
+    toward plane((1, 0, 0))
+    look   absolute
+}
+
+// All walls of a room in one picture.
+camera walls(a = 4.5 above 0, /* half its length */ b = 2.5 above 0, // half its width
+             c = 1.2 above 0, gamma = 0.25 from 0.05 to 2, seam = 30.85deg) {
+    aspect 5
+    map    u = 180deg + seam .. seam - 180deg, v = -36deg .. 36deg
+    eye    product(superellipse(1, b/a, gamma, by = arc_length),
+                   superellipse(a, c, gamma, by = arc_length))
+    look   normal
+    move   translate(0, 0, 1.5)
+}
+`;
+
+export const folder = mkdtempSync(join(tmpdir(), "balcony-studio-"));
+export const cameraFile = join(folder, "my camera.cam");
+const scene = join(folder, "gallery.glb");
+const tokenFile = join(folder, "token");
+execFileSync(process.env.BUILD_SCENE, ["gallery", scene]);
+
+async function freePort() {
+    const server = createServer();
+    server.listen(0, "127.0.0.1");
+    await once(server, "listening");
+    const { port } = server.address();
+    server.close();
+    await once(server, "close");
+    return port;
+}
+const port = await freePort();
+
+export class Server {
+    static async start(...options) {
+        const server = new Server();
+        const args = ["studio", scene, cameraFile, "--port", String(port), "--token-file", tokenFile, ...options];
+        server.process = spawn(process.env.BALCONY, args, { stdio: ["ignore", "pipe", "inherit"] });
+        server.ended = once(server.process, "exit");
+        for await (const line of createInterface(server.process.stdout)) {
+            server.address = /http:\/\/127\.0\.0\.1:\d+\/\?token=[0-9a-f]+/.exec(line)?.[0];
+            if (server.address) return server;
+        }
+        throw new Error("the server has not said its address");
+    }
+
+    async stop() {
+        this.process.kill();
+        await this.ended;
+    }
+}
+
+const browser = await chromium.launch({
+    executablePath: process.env.BROWSER,
+    headless: true,
+    args: [
+        ...["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run"],
+        ...["--disable-background-networking", "--disable-component-update", "--disable-sync"],
+        // Pages behind others are drawn, too.
+        ...["--disable-renderer-backgrounding", "--disable-backgrounding-occluded-windows"],
+    ],
+});
+
+/** What went wrong in any page. A connection that is lost is told as an error of the network. */
+export const complaints = [];
+
+export class Page {
+    static async open(address, options = {}) {
+        const context = await browser.newContext({ viewport: { width: 1280, height: 720 }, ...options });
+        await context.grantPermissions(["clipboard-read", "clipboard-write"]);
+        const page = new Page();
+        page.tab = await context.newPage();
+        page.tab.setDefaultTimeout(patience);
+        page.tab.on("pageerror", (error) => complaints.push(String(error)));
+        page.tab.on("console", (message) => {
+            if (message.type() === "error" && !/ERR_CONNECTION|WebSocket/.test(message.text())) {
+                complaints.push(message.text());
+            }
+        });
+        await page.tab.goto(address);
+        return page;
+    }
+
+    async close() {
+        await this.tab.context().close();
+    }
+
+    /** Waits until a function of the studio's element holds. */
+    async until(condition, argument) {
+        const asked = `(${condition})(document.querySelector("balcony-studio"), ${JSON.stringify(argument)})`;
+        for (const end = Date.now() + patience; !(await this.tab.evaluate(asked)); ) {
+            if (Date.now() > end) throw new Error(`it has not come to: ${condition}`);
+            await this.tab.waitForTimeout(20);
+        }
+    }
+
+    text() {
+        return this.tab.evaluate(() => document.querySelector("camera-editor").text);
+    }
+
+    async untilText(text) {
+        await this.until((studio, text) => studio.text().toString() === text, text);
+    }
+
+    state() {
+        return this.tab.locator("#state").innerText();
+    }
+
+    /** Waits for the picture of everything that has been changed, in one ray a pixel or more. */
+    async untilFollowed() {
+        await this.until(({ session }) => session.isSettled);
+        const { change } = await this.tab.evaluate(() =>
+            document.querySelector("balcony-studio").session.connection.request("view/change", {}),
+        );
+        await this.until(
+            ({ session }, change) => session.shown?.change >= change && session.shown.quality !== "coarse",
+            change,
+        );
+    }
+
+    /** A number that is another one for another picture. */
+    pixels() {
+        return this.tab.evaluate(() => {
+            const canvas = document.querySelector("live-picture canvas");
+            const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+            let sum = canvas.width;
+            for (let i = 0; i < data.length; ++i) sum = (Math.imul(sum, 31) + data[i]) | 0;
+            return sum;
+        });
+    }
+
+    /** Replaces a part of the text, as one types. */
+    async type(before, after) {
+        const at = (await this.text()).indexOf(before);
+        if (at < 0) throw new Error(`the text does not have '${before}'`);
+        await this.tab.evaluate(
+            ([from, to]) => document.querySelector("camera-editor").goTo(from, to),
+            [at, at + before.length],
+        );
+        await this.tab.keyboard.insertText(after);
+    }
+
+    /** Drags the slider of a parameter from one part of its width to another, in steps; does not let go. */
+    async drag(parameter, from, to, steps, pause = 0) {
+        const { x, y, width, height } = await this.tab.locator(`#parameter-${parameter}`).boundingBox();
+        const middle = y + height / 2;
+        await this.tab.mouse.move(x + from * width, middle);
+        await this.tab.mouse.down();
+        for (let i = 1; i <= steps; ++i) {
+            await this.tab.mouse.move(x + (from + ((to - from) * i) / steps) * width, middle);
+            if (pause > 0) await this.tab.waitForTimeout(pause);
+        }
+    }
+}
+
+export function reset() {
+    writeFileSync(cameraFile, text);
+}
+
+export async function finish() {
+    await browser.close();
+    rmSync(folder, { recursive: true });
+}

@@ -1,0 +1,289 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// The studio in a browser: what a hand does, and what is then seen.
+
+import assert from "node:assert/strict";
+import { existsSync, readFileSync, writeFileSync } from "node:fs";
+import { after, afterEach, beforeEach, test } from "node:test";
+import { cameraFile, complaints, finish, Page, reset, Server, text } from "./harness.mjs";
+
+let server = null;
+let pages = [];
+
+async function open(options) {
+    const page = await Page.open(server.address, options);
+    pages.push(page);
+    await page.untilFollowed();
+    return page;
+}
+
+beforeEach(async () => {
+    reset();
+    server = await Server.start();
+});
+
+afterEach(async () => {
+    for (const page of pages) await page.close();
+    pages = [];
+    await server.stop();
+    assert.deepEqual(complaints.splice(0), []);
+});
+
+after(finish);
+
+test("the picture follows the text", async () => {
+    const page = await open();
+    const before = await page.pixels();
+    await page.type("gamma = 0.25", "gamma = 1");
+    await page.untilFollowed();
+    assert.notEqual(await page.pixels(), before);
+    assert.equal(await page.tab.locator("#parameter-gamma").inputValue(), "1");
+});
+
+test("a slider moves the picture, and the text when it rests, as one step of undo", async () => {
+    const page = await open();
+    const before = await page.pixels();
+    await page.drag("seam", 0.58, 0.8, 20, 10);
+    await page.until(({ session }) => session.latency.measured.length >= 5);
+    assert.notEqual(await page.pixels(), before);
+    assert.equal(await page.text(), text);
+    await page.tab.mouse.up();
+    await page.until((studio, text) => studio.text().toString() !== text, text);
+    const written = await page.text();
+    const value = /seam = ([\d.]+)deg/.exec(written)[1];
+    assert.ok(Math.abs(value - 108) < 8, value);
+    assert.equal(written, text.replace("30.85", value));
+    await page.untilFollowed();
+    const moved = await page.pixels();
+    assert.notEqual(moved, before);
+    // The slider has the keyboard, and undo is that of the text.
+    await page.tab.keyboard.press("Control+z");
+    await page.untilText(text);
+    await page.untilFollowed();
+    assert.notEqual(await page.pixels(), moved);
+    await page.tab.keyboard.press("Control+y");
+    await page.untilText(written);
+});
+
+test("keys move a slider, and what they do in a row is one step of undo", async () => {
+    const page = await open();
+    await page.tab.keyboard.press("Alt+2");
+    for (let i = 0; i < 5; ++i) await page.tab.keyboard.press("ArrowRight");
+    await page.until((studio, text) => studio.text().toString() !== text, text);
+    const written = await page.text();
+    assert.match(written, /a = 4\.\d+ above 0, \/\* half its length \*\/ b/);
+    assert.notEqual(written, text);
+    await page.tab.keyboard.press("Control+z");
+    await page.untilText(text);
+    // A number that is typed.
+    const field = page.tab.getByLabel("gamma", { exact: true }).last();
+    await field.fill("0.7");
+    await field.press("Enter");
+    await page.untilText(text.replace("gamma = 0.25", "gamma = 0.7"));
+});
+
+test("a number is dragged in the text, as one step of undo", async () => {
+    const page = await open();
+    const before = await page.pixels();
+    const number = page.tab.locator(".cm-line", { hasText: "gamma = 0.25" }).locator("span", { hasText: /^0.25$/ });
+    const { x, y } = await number.boundingBox();
+    await page.tab.keyboard.down("Control");
+    await page.tab.mouse.move(x + 8, y + 8);
+    await page.tab.mouse.down();
+    for (const way of [100, 300, 500]) await page.tab.mouse.move(x + 8 + way, y + 8);
+    await page.tab.mouse.up();
+    await page.tab.keyboard.up("Control");
+    await page.untilText(text.replace("gamma = 0.25", "gamma = 0.75"));
+    await page.untilFollowed();
+    assert.notEqual(await page.pixels(), before);
+    await page.tab.keyboard.press("Control+z");
+    await page.untilText(text);
+});
+
+test("an error greys the last good picture, names its place, and is mended by a click", async () => {
+    const page = await open();
+    const before = await page.pixels();
+    await page.type("superellipse(1", "superelipse(1");
+    const message = page.tab.locator("live-picture .message");
+    await message.waitFor();
+    const broken = await page.text();
+    assert.match(await message.innerText(), /superelipse/);
+    assert.match(await message.innerText(), /Go to line 14/);
+    assert.equal(await page.tab.locator("live-picture .stale").count(), 1);
+    assert.equal(await page.pixels(), before);
+    assert.equal(await page.state(), "The text has an error");
+    assert.equal(await page.tab.locator(".problems .line").first().innerText(), "14");
+    await message.getByRole("button", { name: "superellipse" }).click();
+    await page.untilText(text);
+    await message.waitFor({ state: "detached" });
+    await page.untilFollowed();
+    assert.equal(await page.tab.locator("live-picture .stale").count(), 0);
+    await page.tab.keyboard.press("Control+z");
+    await page.untilText(broken);
+});
+
+test("completion has whole calls with blanks, and help", async () => {
+    const page = await open();
+    await page.type("    look   normal\n", "    look   normal\n    warp   ");
+    await page.tab.keyboard.type("zo");
+    await page.tab.locator(".cm-tooltip-autocomplete li", { hasText: "zoom" }).first().waitFor();
+    await page.tab.waitForTimeout(150); // The editor lets nobody accept what has just appeared.
+    await page.tab.keyboard.press("Enter");
+    await page.until((studio) => /warp   zoom\(at = /.test(studio.text().toString()));
+    await page.tab.keyboard.press("Escape");
+    await page.tab.locator(".cm-line span", { hasText: /^translate$/ }).hover();
+    const help = page.tab.locator(".cm-tooltip .cam-help");
+    await help.waitFor();
+    assert.match(await help.innerText(), /translate\(/);
+});
+
+test("saving writes the file, and asks before it replaces what others wrote", async () => {
+    const page = await open();
+    const save = page.tab.locator("#save");
+    assert.ok(await save.isDisabled());
+    await page.type("gamma = 0.25", "gamma = 0.5");
+    const written = text.replace("gamma = 0.25", "gamma = 0.5");
+    await page.until((_) => !document.querySelector("#save").disabled);
+    await page.tab.keyboard.press("Control+s");
+    await page.until((_) => document.querySelector("#save").disabled);
+    assert.equal(readFileSync(cameraFile, "utf8"), written);
+
+    writeFileSync(cameraFile, "// Of another editor.\n");
+    await page.type("gamma = 0.5", "gamma = 0.6");
+    await page.tab.keyboard.press("Control+s");
+    const dialog = page.tab.getByRole("dialog");
+    await dialog.getByRole("button", { name: "Cancel" }).click();
+    assert.equal(readFileSync(cameraFile, "utf8"), "// Of another editor.\n");
+    await page.tab.keyboard.press("Control+s");
+    await dialog.getByRole("button", { name: "Replace it" }).click();
+    await page.until((_) => document.querySelector("#save").disabled);
+    assert.equal(readFileSync(cameraFile, "utf8"), text.replace("gamma = 0.25", "gamma = 0.6"));
+});
+
+test("a restarted server gets the text, and nothing that was typed is lost", async () => {
+    const page = await open();
+    await page.type("gamma = 0.25", "gamma = 0.5");
+    await page.untilFollowed();
+    await server.stop();
+    await page.until(({ session }) => session.link === "lost");
+    assert.match(await page.state(), /Connection lost/);
+    await page.type("gamma = 0.5", "gamma = 0.75");
+    const typed = text.replace("gamma = 0.25", "gamma = 0.75");
+    server = await Server.start();
+    await page.until(({ session }) => session.link === "open");
+    await page.untilFollowed();
+    assert.equal(await page.text(), typed);
+    const other = await open();
+    assert.equal(await other.text(), typed);
+    assert.equal(readFileSync(cameraFile, "utf8"), text);
+});
+
+test("two pages show one text and one picture", async () => {
+    const [one, two] = [await open(), await open()];
+    await one.type("gamma = 0.25", "gamma = 0.5");
+    const changed = text.replace("gamma = 0.25", "gamma = 0.5");
+    await two.untilText(changed);
+    await two.untilFollowed();
+    assert.equal(await two.tab.locator("#parameter-gamma").inputValue(), "0.5");
+    // Both at once.
+    await Promise.all([one.type("// A second", "// The second"), two.type("30.85deg", "12deg")]);
+    const both = changed.replace("A second", "The second").replace("30.85", "12");
+    await one.untilText(both);
+    await two.untilText(both);
+    // Undo is of what was done here.
+    await two.tab.keyboard.press("Control+z");
+    await one.untilText(changed.replace("A second", "The second"));
+});
+
+test("another camera of the file", async () => {
+    const page = await open();
+    const before = await page.pixels();
+    const names = await page.tab.locator("#camera option").allInnerTexts();
+    assert.deepEqual(names, ["straight", "walls"]);
+    await page.tab.locator("#camera").selectOption("straight");
+    await page.tab.locator("#parameter-fov").waitFor();
+    await page.untilFollowed();
+    assert.notEqual(await page.pixels(), before);
+    assert.equal(await page.tab.locator("#parameter-fov").inputValue(), "80");
+});
+
+test("rendering in full quality tells its progress, writes a file, and can be stopped", async () => {
+    const page = await open();
+    await page.tab.keyboard.press("Control+Enter");
+    const dialog = page.tab.getByRole("dialog");
+    await dialog.getByLabel("Width").fill("60");
+    await dialog.getByLabel("Height").fill("12");
+    await dialog.getByLabel("Samples a pixel").fill("2");
+    await dialog.getByRole("button", { name: "Render" }).click();
+    const notice = page.tab.locator(".notice");
+    await notice.filter({ hasText: "Wrote" }).waitFor();
+    const file = /Wrote (.*\.png)/.exec(await notice.innerText())[1];
+    assert.ok(existsSync(file), file);
+
+    await page.tab.keyboard.press("Control+Enter");
+    await dialog.getByLabel("Samples a pixel").fill("60000");
+    await dialog.getByRole("button", { name: "Render" }).click();
+    await page.tab.locator("#stop").click();
+    await page.tab.locator("#render").waitFor();
+});
+
+test("the command line is copied", async () => {
+    const page = await open();
+    await page.tab.locator(".menu summary").click();
+    await page.tab.locator("#command").click();
+    await page.tab.locator(".notice").filter({ hasText: "Copied" }).waitFor();
+    const line = await page.tab.evaluate(() => navigator.clipboard.readText());
+    assert.match(line, /^balcony render .*gallery\.glb.* --camera /);
+});
+
+test("with a wrong token the page says what to do", async () => {
+    const page = await Page.open(server.address.replace(/token=..../, "token=0000"));
+    pages.push(page);
+    await page.tab.getByText("The server does not know this page").first().waitFor();
+});
+
+test("everything has a name, and fits desks and tablets in both colours", async () => {
+    for (const [width, height] of [
+        [1280, 720],
+        [1180, 820],
+        [820, 1180],
+    ]) {
+        for (const colorScheme of ["dark", "light"]) {
+            const page = await open({ viewport: { width, height }, colorScheme });
+            const seen = await page.tab.evaluate(() => {
+                const nameless = [...document.querySelectorAll("button, input, select, summary, a")].filter(
+                    (one) => !(one.textContent.trim() || one.ariaLabel || one.labels?.[0]?.textContent),
+                );
+                return {
+                    nameless: nameless.map((one) => one.outerHTML),
+                    over: document.scrollingElement.scrollWidth - innerWidth,
+                    picture: document.querySelector("canvas").getBoundingClientRect().width / innerWidth,
+                    theme: document.documentElement.dataset.theme,
+                };
+            });
+            assert.deepEqual(seen.nameless, []);
+            assert.ok(seen.over <= 0);
+            assert.ok(seen.picture > 0.6, `${width} x ${height}: ${seen.picture}`);
+            assert.equal(seen.theme, colorScheme);
+            await page.close();
+        }
+    }
+});
+
+test("the picture follows a hand at once", async () => {
+    const page = await open();
+    await page.tab.evaluate(() => document.querySelector("balcony-studio").resize("960x540"));
+    await page.until(({ session }) => session.shown.width === 960 && session.shown.height === 540);
+    await page.tab.evaluate(() => document.querySelector("balcony-studio").session.latency.measured.splice(0));
+    await page.drag("gamma", 0.1, 0.9, 60, 16);
+    await page.until(({ session }) => session.latency.measured.length >= 30);
+    const measured = await page.tab.evaluate(
+        () => document.querySelector("balcony-studio").session.latency.measured,
+    );
+    const sorted = [...measured].sort((a, b) => a - b);
+    const part = (p) => Math.round(sorted[Math.floor(p * (sorted.length - 1))]);
+    console.log(`from the hand to the picture: median ${part(0.5)} ms, 90%: ${part(0.9)} ms, of ${sorted.length}`);
+    assert.ok(part(0.5) <= 50);
+    await page.tab.mouse.up();
+});
