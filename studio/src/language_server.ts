@@ -203,6 +203,11 @@ export function problemsOf(text: Text, found: FileDiagnostic[], actions: CodeAct
     });
 }
 
-/** The cameras and pictures of a file. */
-export const cameraNames = (symbols: DocumentSymbol[]): string[] =>
-    symbols.filter(({ kind }) => kind === 5).map(({ name }) => name);
+/** The protocol's kinds of declared names. */
+export enum SymbolKind {
+    camera = 5,
+    parameter = 7,
+}
+
+export const namesIn = (symbols: DocumentSymbol[], kind: SymbolKind): string[] =>
+    symbols.filter((one) => one.kind === kind).map(({ name }) => name);

@@ -38,6 +38,7 @@ export interface DocumentSymbol {
     detail?: string;
     kind: number;
     selectionRange: Range;
+    children?: DocumentSymbol[];
 }
 
 /** What the answer of `initialize` says about the file and its scene. */
@@ -54,6 +55,8 @@ export interface About {
     readOnly: boolean;
     size: [number, number];
     languages?: string[];
+    /** What the server can do beyond text and view. */
+    requests?: string[];
 }
 
 /** A number of the camera. Angles are in radians. */

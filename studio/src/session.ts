@@ -6,7 +6,7 @@
 import type { ChangeSet, Text } from "@codemirror/state";
 import { Connection, type Listener, Lost } from "./connection";
 import type { KnownValue } from "./known_values";
-import { cameraNames, positionOf, type Problem, problemsOf } from "./language_server";
+import { namesIn, positionOf, type Problem, problemsOf, SymbolKind } from "./language_server";
 import { Latency } from "./latency";
 import {
     type About,
@@ -16,6 +16,7 @@ import {
     type FileDiagnostic,
     type FrameHead,
     type NewText,
+    type Parameter,
     type ParameterValue,
     protocol,
     type RenderDone,
@@ -52,7 +53,7 @@ export class Session implements Listener {
     scene: SceneState = { state: "loading" };
     /** The last one without errors, whose picture is shown. */
     camera: CameraState | null = null;
-    cameras: string[] = [];
+    private symbols: DocumentSymbol[] = [];
     /** By its name in the file; the last one if empty. */
     chosen = "";
     shown: FrameHead | null = null;
@@ -93,9 +94,27 @@ export class Session implements Listener {
         return this.problems.find(({ severity }) => severity === "error") ?? null;
     }
 
+    can(request: string): boolean {
+        return this.about?.requests?.includes(request) ?? false;
+    }
+
     /** Whether the server has the text of the editor. */
     get isSettled(): boolean {
         return this.link === "open" && this.text.isSettled;
+    }
+
+    /** The names of the cameras and pictures of the file. */
+    get cameras(): string[] {
+        return namesIn(this.symbols, SymbolKind.camera);
+    }
+
+    /** Those of the camera that is shown, as its text has them. */
+    get parameters(): Parameter[] {
+        if (!this.camera) return [];
+        const { name, open, closed } = this.camera;
+        const declared = this.symbols.find((one) => one.name === name)?.children ?? [];
+        const order = namesIn(declared, SymbolKind.parameter);
+        return [...open, ...closed].sort((a, b) => order.indexOf(a.name) - order.indexOf(b.name));
     }
 
     get isSaved(): boolean {
@@ -230,7 +249,7 @@ export class Session implements Listener {
         const symbols = await this.connection.request<DocumentSymbol[]>("textDocument/documentSymbol", {
             textDocument: { uri: this.about!.uri },
         });
-        this.cameras = cameraNames(symbols);
+        this.symbols = symbols;
         this.page.changed();
     }
 

@@ -14,7 +14,7 @@ import type { LivePicture } from "./picture";
 import "./picture";
 import { choiceOf, sizeOf, type SizeChoice } from "./picture_size";
 import { problemList } from "./problem_list";
-import { type About, type FrameHead, type Parameter, type ParameterValue, Refused } from "./protocol";
+import { type About, type FrameHead, type ParameterValue, Refused } from "./protocol";
 import { failureOf, type Page, Session } from "./session";
 import type { ParameterSliders } from "./sliders";
 import "./sliders";
@@ -132,7 +132,9 @@ export class BalconyStudio extends LitElement implements Page {
         },
         size: (name) => void this.resize(name),
         save: () => this.attempt(this.save()),
-        render: () => this.attempt(this.render_()),
+        render: () => {
+            if (this.session.can("render/start")) this.attempt(this.render_());
+        },
         stop: () => {
             const { render, connection } = this.session;
             if (render) this.attempt(connection.request("render/stop", { id: render.id }));
@@ -266,7 +268,6 @@ export class BalconyStudio extends LitElement implements Page {
         const { camera, error, shown, latency } = session;
         const follows = latency.typical;
         const go = ({ from, to }: Problem): void => this.editor.goTo(from, to);
-        const parameters: Parameter[] = camera ? [...camera.open, ...camera.closed] : [];
         return html`
             ${toolbar({ session, size: this.size, pixels: this.pixels, theme: chosenTheme() }, this.actions)}
             <main>
@@ -290,7 +291,7 @@ export class BalconyStudio extends LitElement implements Page {
                     </div>
                     <parameter-sliders
                         aria-label="Numbers of the camera"
-                        .parameters=${parameters}
+                        .parameters=${session.parameters}
                         .isReadOnly=${session.about?.readOnly ?? true}
                     ></parameter-sliders>
                 </section>

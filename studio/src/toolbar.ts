@@ -63,7 +63,9 @@ function sizeChoice(size: SizeChoice, pixels: [number, number], actions: Toolbar
     `;
 }
 
-function renderButton({ render }: Session, actions: ToolbarActions) {
+function renderButton(session: Session, actions: ToolbarActions) {
+    const { render } = session;
+    if (!session.can("render/start")) return nothing;
     if (!render) {
         return html`<button class="main" id="render" title="Render in full quality (Ctrl+Enter)" @click=${actions.render}>
             Render…
@@ -82,12 +84,12 @@ function renderButton({ render }: Session, actions: ToolbarActions) {
 function menu(session: Session, theme: Theme, actions: ToolbarActions) {
     const item = (id: string, words: string, keys: string, act: () => void) =>
         html`<button id=${id} role="menuitem" @click=${act}><span>${words}</span><kbd>${keys}</kbd></button>`;
-    const languages = session.about?.languages ?? [];
+    const languages = session.can("export") ? (session.about?.languages ?? []) : [];
     return html`
         <details class="menu" @keydown=${closeOnEscape} @focusout=${closeOnLeave}>
             <summary aria-label="More" title="More" role="button">⋯</summary>
             <div class="items" role="menu" @click=${closeOnChoice}>
-                ${item("command", "Copy the command line", "", actions.command)}
+                ${session.can("command") ? item("command", "Copy the command line", "", actions.command) : nothing}
                 ${item("format", "Format the text", "Shift+Alt+F", actions.format)}
                 ${item("expose", "Expose for this picture", "", actions.expose)}
                 ${languages.length > 0

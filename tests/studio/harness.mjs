@@ -150,14 +150,19 @@ export class Page {
         });
     }
 
-    /** Replaces a part of the text, as one types. */
-    async type(before, after) {
-        const at = (await this.text()).indexOf(before);
-        if (at < 0) throw new Error(`the text does not have '${before}'`);
+    /** Selects as many letters of a part of the text. */
+    async select(part, letters = part.length) {
+        const at = (await this.text()).indexOf(part);
+        if (at < 0) throw new Error(`the text does not have '${part}'`);
         await this.tab.evaluate(
             ([from, to]) => document.querySelector("camera-editor").goTo(from, to),
-            [at, at + before.length],
+            [at, at + letters],
         );
+    }
+
+    /** Replaces a part of the text, as one types. */
+    async type(before, after) {
+        await this.select(before);
         await this.tab.keyboard.insertText(after);
     }
 
