@@ -163,7 +163,7 @@ export class BalconyStudio extends LitElement implements Page {
                   : event.key === "F1"
                     ? this.actions.keys
                     : this.undoKey(event, control);
-        if (!act || document.querySelector("dialog")) return;
+        if (!act || document.querySelector("dialog[open]")) return;
         event.preventDefault();
         event.stopPropagation();
         act();
