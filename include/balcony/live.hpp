@@ -17,8 +17,10 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "balcony/app.hpp"
 #include "balcony/base.hpp"
 #include "balcony/drag.hpp"
 #include "balcony/lang.hpp"
@@ -62,15 +64,28 @@ struct CameraState {
     std::uint64_t change = 0;
     /// Errors, after which the frames go on to show the last good camera, or warnings.
     Diagnostics diagnostics{};
-    std::string name{};                       ///< Of the camera; empty after errors.
+    std::string name{};              ///< Of the camera; empty after errors, as the following.
+    std::optional<double> aspect{};  ///< Width to height, if it is made for one.
     std::vector<lang::OpenParameter> open{};  ///< They move without the camera being made anew.
     std::vector<lang::OpenParameter> closed{};
+};
+
+/// The name of the text of a view in the spans of diagnostics.
+inline constexpr std::string_view text_name = "camera.cam";
+
+/// What has become of the scene that a view loads.
+struct SceneState {
+    std::optional<app::Step> step{};  ///< While it is loaded.
+    Diagnostics diagnostics{};  ///< When it is loaded: warnings, or errors, after which the view
+                                ///< shows nothing.
 };
 
 /// What a view tells, from its own thread, one call at a time. Functions may be empty; they must
 /// not throw. They may call View::change(), but not destroy the view.
 struct Observer {
     std::function<void(const Frame&)> frame{};
+    /// Of a view that loads it; while it does, from any thread.
+    std::function<void(const SceneState&)> scene{};
     std::function<void(const CameraState&)> camera{};  ///< After each change, before its frames.
     std::function<void(const Dragged&)> drag{};        ///< What follows, before the frames show it.
     /// Nothing is left to do for the newest change, whose number it is.
@@ -95,6 +110,10 @@ public:
     /// camera and size are not read.
     [[nodiscard]] static std::unique_ptr<View> make(app::PreparedScene scene,
                                                     const app::Request& request, Observer observer,
+                                                    const Options& options = {},
+                                                    std::filesystem::path folder = {});
+    /// The same with a scene that the view loads on its thread; changes wait for it.
+    [[nodiscard]] static std::unique_ptr<View> load(const app::Request& request, Observer observer,
                                                     const Options& options = {},
                                                     std::filesystem::path folder = {});
     /// Ends what is in progress.

@@ -67,7 +67,7 @@ private:
 }  // namespace
 
 struct View::State {
-    State(app::PreparedScene prepared, const app::Request& of, Observer observing,
+    State(std::optional<app::PreparedScene> prepared, const app::Request& of, Observer observing,
           const Options& chosen, std::filesystem::path where)
         : scene(std::move(prepared)),
           request(of),
@@ -78,6 +78,7 @@ struct View::State {
 
     // Of the thread.
     void work(const std::stop_token& stop);
+    [[nodiscard]] bool load(const std::stop_token& stop);
     void show(const Wanted& next, const std::stop_token& newer, const std::stop_token& view_ends);
     [[nodiscard]] bool follow(const Wanted& next, const std::stop_token& newer);
     [[nodiscard]] bool make(const Wanted& next, const std::vector<lang::Override>& closed,
@@ -93,7 +94,7 @@ struct View::State {
     [[nodiscard]] std::optional<double> exposure(std::string_view integrator,
                                                  const std::stop_token& newer);
 
-    app::PreparedScene scene;
+    std::optional<app::PreparedScene> scene;  // Of the thread, once it has begun.
     app::Request request;
     Observer observer;
     Options options;
@@ -126,6 +127,12 @@ std::unique_ptr<View> View::make(app::PreparedScene scene, const app::Request& r
         std::move(scene), request, std::move(observer), options, std::move(folder))));
 }
 
+std::unique_ptr<View> View::load(const app::Request& request, Observer observer,
+                                 const Options& options, std::filesystem::path folder) {
+    return std::unique_ptr<View>(new View(std::make_unique<State>(
+        std::nullopt, request, std::move(observer), options, std::move(folder))));
+}
+
 View::~View() {
     state_->thread.request_stop();
     const std::lock_guard lock(state_->mutex);
@@ -144,7 +151,33 @@ std::uint64_t View::change(Change change) {
     return number;
 }
 
+// False if there is no scene.
+bool View::State::load(const std::stop_token& stop) {
+    const auto tell = [this](const SceneState& state) {
+        if (observer.scene) {
+            observer.scene(state);
+        }
+    };
+    std::optional<app::Step> told;
+    const auto begins = [&](app::Step step, double) {
+        if (step != told) {
+            told = step;
+            tell({.step = step});
+        }
+    };
+    Result<app::PreparedScene> made = app::PreparedScene::make(request, {.step = begins}, stop);
+    if (stop.stop_requested()) {
+        return false;
+    }
+    scene = std::move(made.value);
+    tell({.diagnostics = std::move(made.diagnostics)});
+    return scene.has_value();
+}
+
 void View::State::work(const std::stop_token& stop) {
+    if (!scene && !load(stop)) {
+        return;
+    }
     for (;;) {
         Wanted next;
         std::stop_token newer;
@@ -209,7 +242,7 @@ bool View::State::follow(const Wanted& next, const std::stop_token& newer) {
         return false;
     }
     if (picture->size() != next.size) {
-        picture.emplace(picture->opened(), next.size);
+        picture = LivePicture(picture->opened(), next.size);
     }
     picture->move(dragged(next, newer), found);
     tell_camera(next, std::move(found));
@@ -222,7 +255,7 @@ std::vector<Value> View::State::dragged(const Wanted& next, const std::stop_toke
     if (next.drag.pulls.empty()) {
         return values;
     }
-    Dragged made = picture->drag(next.drag, values, scene.scene()->axes, newer);
+    Dragged made = picture->drag(next.drag, values, scene->scene()->axes, newer);
     made.change = next.change;
     for (const Value& one : made.values) {
         std::erase_if(values, [&](const Value& given) { return given.parameter == one.parameter; });
@@ -237,9 +270,9 @@ std::vector<Value> View::State::dragged(const Wanted& next, const std::stop_toke
 // Values of parameters that are not open shape the camera. Tells why there is none.
 bool View::State::make(const Wanted& next, const std::vector<lang::Override>& closed,
                        const std::stop_token& newer, Diagnostics& found) {
-    Result<lang::OpenPicture> made =
-        scene.picture({std::make_shared<const SourceText>("camera.cam", next.text), folder},
-                      next.camera, closed, newer);
+    Result<lang::OpenPicture> made = scene->picture(
+        {std::make_shared<const SourceText>(std::string(text_name), next.text), folder},
+        next.camera, closed, newer);
     found = std::move(made.diagnostics);
     if (made) {
         picture.emplace(std::move(*made.value), next.size);
@@ -259,6 +292,7 @@ void View::State::tell_camera(const Wanted& next, Diagnostics found) {
     CameraState state{next.change, std::move(found)};
     if (!has_errors(state.diagnostics)) {
         state.name = picture->opened().picture.parts().name;
+        state.aspect = picture->opened().picture.parts().aspect;
         state.open = picture->opened().open;
         state.closed = picture->opened().numbers;
     }
@@ -276,7 +310,7 @@ std::size_t View::State::coarse_part(const std::array<std::size_t, 2>& size) con
 void View::State::show_preview(const Wanted& next, std::size_t part, const std::stop_token& stop) {
     Diagnostics found;
     const auto begin = Clock::now();
-    if (const render::Film* const film = picture->preview(scene, part, stop, found)) {
+    if (const render::Film* const film = picture->preview(*scene, part, stop, found)) {
         seconds_a_pixel = seconds_since(begin) / static_cast<double>(film->window.size());
         tell(next, *film, part > 1 ? Quality::coarse : Quality::preview, 1, stop);
     }
@@ -285,10 +319,10 @@ void View::State::show_preview(const Wanted& next, std::size_t part, const std::
 // Twice as many samples from frame to frame.
 void View::State::show_paths(const Wanted& next, const std::stop_token& newer) {
     Diagnostics found;
-    const std::size_t most = scene.settings().samples;
+    const std::size_t most = scene->settings().samples;
     const render::Film* film = nullptr;
     for (std::size_t samples = 1; samples < 2 * most; samples *= 2) {
-        film = picture->paths(scene, std::min(samples, most), options.denoises, newer, found);
+        film = picture->paths(*scene, std::min(samples, most), options.denoises, newer, found);
         if (film == nullptr) {
             return;
         }
@@ -307,7 +341,7 @@ void View::State::tell(const Wanted& next, const render::Film& film, Quality qua
                        std::size_t samples, const std::stop_token& newer) {
     const bool is_preview = quality == Quality::coarse || quality == Quality::preview;
     const std::optional<double> exposed =
-        exposure(is_preview ? "preview" : scene.settings().integrator, newer);
+        exposure(is_preview ? "preview" : scene->settings().integrator, newer);
     if (!exposed || newer.stop_requested() || !observer.frame) {
         return;
     }
@@ -322,7 +356,7 @@ std::optional<double> View::State::exposure(std::string_view integrator,
                                             const std::stop_token& newer) {
     std::optional<double>& held = integrator == "preview" ? preview_exposure : path_exposure;
     if (!held) {
-        const Result<double> chosen = scene.exposure(picture->opened().picture, integrator, newer);
+        const Result<double> chosen = scene->exposure(picture->opened().picture, integrator, newer);
         held = chosen ? std::optional(*chosen) : std::nullopt;
     }
     return held;

@@ -39,6 +39,7 @@ class Told {
 public:
     [[nodiscard]] Observer observer() {
         return {.frame = [this](const Frame& frame) { add(frames_, frame); },
+                .scene = [this](const SceneState& state) { add(scenes_, state); },
                 .camera = [this](const CameraState& state) { add(cameras_, state); },
                 .drag = [this](const Dragged& dragged) { add(drags_, dragged); },
                 .rest =
@@ -59,6 +60,12 @@ public:
         std::unique_lock lock(mutex_);
         return changed_.wait_for(
             lock, 60s, [&] { return !cameras_.empty() && cameras_.back().change >= change; });
+    }
+    // The states of a scene until it is there, or has failed.
+    [[nodiscard]] std::vector<SceneState> loading() {
+        std::unique_lock lock(mutex_);
+        changed_.wait_for(lock, 60s, [&] { return !scenes_.empty() && !scenes_.back().step; });
+        return scenes_;
     }
     void forget() {
         const std::lock_guard lock(mutex_);
@@ -102,6 +109,7 @@ private:
     std::mutex mutex_;
     std::condition_variable changed_;
     std::vector<Frame> frames_;
+    std::vector<SceneState> scenes_;
     std::vector<CameraState> cameras_;
     std::vector<Dragged> drags_;
     std::uint64_t rest_ = 0;
@@ -266,6 +274,41 @@ TEST_F(ViewTest, ShowsACameraInMotion) {
         }
         told_.forget();
     }
+}
+
+TEST_F(ViewTest, TakesOtherSizes) {
+    const std::unique_ptr<View> view = open({.traces_paths = false});
+    static_cast<void>(view->change({.text = fisheye}));
+    for (std::size_t width = 64; width < 96; ++width) {
+        const std::uint64_t change = view->change({.size = {{width, 48}}});
+        ASSERT_TRUE(told_.rests_at(change));
+        EXPECT_EQ(told_.frames_of(change).back().width, width);
+    }
+}
+
+// Changes that come before the scene is there are shown as one.
+TEST_F(ViewTest, LoadsItsScene) {
+    const std::unique_ptr<View> view = View::load(request_, told_.observer(), {}, folder_);
+    static_cast<void>(view->change({.text = fisheye}));
+    const std::uint64_t last = view->change({.size = {{64, 48}}});
+    const std::vector<SceneState> states = told_.loading();
+    ASSERT_GE(states.size(), 2U);
+    EXPECT_EQ(states.front().step, app::Step::reading);
+    EXPECT_FALSE(states.back().step);
+    EXPECT_FALSE(has_errors(states.back().diagnostics));
+    ASSERT_TRUE(told_.rests_at(last));
+    EXPECT_EQ(told_.frames_of(last).back().width, 64U);
+    EXPECT_EQ(told_.cameras().back().aspect, 4.0 / 3.0);
+}
+
+TEST_F(ViewTest, TellsWhyAnotherSceneIsNotLoaded) {
+    request_.scene = (folder_ / "missing.obj").string();
+    const std::unique_ptr<View> view = View::load(request_, told_.observer(), {}, folder_);
+    static_cast<void>(view->change({.text = fisheye}));
+    const std::vector<SceneState> states = told_.loading();
+    ASSERT_FALSE(states.empty());
+    EXPECT_NE(to_text(states.back().diagnostics).find("missing.obj"), std::string::npos);
+    EXPECT_TRUE(told_.cameras().empty());
 }
 
 TEST_F(ViewTest, EndsInTheMiddleOfAPicture) {
