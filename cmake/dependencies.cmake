@@ -29,6 +29,8 @@ endforeach()
 
 balcony_find(Eigen3 3.4 6 libeigen3-dev)    # Eigen3::Eigen, headers of the layer solve
 find_package(CLI11 2.1 REQUIRED)            # CLI11::CLI11
+find_package(Boost 1.74 REQUIRED CONFIG)    # Boost::headers, of the layer studio
+find_package(TurboJPEG REQUIRED)            # TurboJPEG::TurboJPEG, of the layer studio
 if(BUILD_TESTING)
     find_package(GTest 1.12 REQUIRED)       # GTest::gtest_main
     find_package(Python3 3.9 REQUIRED COMPONENTS Interpreter)

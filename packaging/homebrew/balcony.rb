@@ -6,6 +6,7 @@ class Balcony < Formula
   sha256 "0" * 64
   license "Apache-2.0"
 
+  depends_on "boost" => :build
   depends_on "cli11" => :build
   depends_on "cmake" => :build
   depends_on "eigen" => :build
@@ -17,6 +18,7 @@ class Balcony < Formula
   depends_on :linux
   depends_on "nlohmann-json"
   depends_on "openexr"
+  depends_on "jpeg-turbo"
   depends_on "libpng"
   depends_on "openimageio"
   depends_on "proj"

@@ -1,6 +1,6 @@
 # Untested; see packaging/README.md.
-{ lib, stdenv, cmake, ninja, cli11, eigen, embree, fmt, imath, libhwy, nlohmann_json, openexr
-, libpng, openimageio, proj, sleef, tbb, yaml-cpp }:
+{ lib, stdenv, cmake, ninja, boost, cli11, eigen, embree, fmt, imath, libhwy, libjpeg_turbo, nlohmann_json
+, openexr, libpng, openimageio, proj, sleef, tbb, yaml-cpp }:
 
 stdenv.mkDerivation {
   pname = "balcony";
@@ -9,7 +9,8 @@ stdenv.mkDerivation {
 
   nativeBuildInputs = [ cmake ninja ];
   buildInputs = [
-    cli11 eigen embree fmt imath libhwy nlohmann_json openexr libpng openimageio proj sleef tbb yaml-cpp
+    boost cli11 eigen embree fmt imath libhwy libjpeg_turbo nlohmann_json openexr libpng openimageio proj
+    sleef tbb yaml-cpp
   ];
   cmakeFlags = [ "-DBUILD_TESTING=OFF" "-DBALCONY_BENCH=OFF" ];
 

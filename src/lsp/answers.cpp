@@ -16,6 +16,26 @@ namespace balcony::lsp {
 using lang::WordKind;
 using nlohmann::json;
 
+json edit_in(const SourceText& text, const lang::TextEdit& edit) {
+    return {{"range", range_in(text, edit.begin, edit.end)}, {"newText", edit.text}};
+}
+
+json diagnostic_of(const SourceText& text, const Diagnostic& one) {
+    const bool is_here = one.span.source.get() == &text;
+    std::string message = one.message;
+    if (!is_here && one.span.source) {
+        message = fmt::format("{}: {}", one.span.source->name(), message);
+    }
+    if (!one.remedy.empty()) {
+        message += fmt::format("\n{}", one.remedy);
+    }
+    return {
+        {"range", is_here ? range_in(text, one.span.begin, one.span.end) : range_in(text, 0, 0)},
+        {"severity", one.severity == Severity::error ? 1 : 2},
+        {"source", "balcony"},
+        {"message", std::move(message)}};
+}
+
 namespace {
 
 /// What the protocol calls a kind of word, in completions and in outlines.
@@ -68,10 +88,6 @@ std::string block(std::string_view language, std::string_view text) {
     return fmt::format("```{}\n{}\n```\n", language, text);
 }
 
-json edit_in(const SourceText& text, const lang::TextEdit& edit) {
-    return {{"range", range_in(text, edit.begin, edit.end)}, {"newText", edit.text}};
-}
-
 json location_of(OpenText& text, const SourceSpan& span) {
     const std::string uri = span.source == text.source() ? text.uri() : uri_of(span.source->name());
     return {{"uri", uri}, {"range", range_in(*span.source, span.begin, span.end)}};
@@ -87,22 +103,6 @@ json symbol_of(const SourceText& text, const lang::DeclaredName& one) {
         made["children"].push_back(symbol_of(text, inner));
     }
     return made;
-}
-
-json diagnostic_of(const SourceText& text, const Diagnostic& one) {
-    const bool is_here = one.span.source.get() == &text;
-    std::string message = one.message;
-    if (!is_here && one.span.source) {
-        message = fmt::format("{}: {}", one.span.source->name(), message);
-    }
-    if (!one.remedy.empty()) {
-        message += fmt::format("\n{}", one.remedy);
-    }
-    return {
-        {"range", is_here ? range_in(text, one.span.begin, one.span.end) : range_in(text, 0, 0)},
-        {"severity", one.severity == Severity::error ? 1 : 2},
-        {"source", "balcony"},
-        {"message", std::move(message)}};
 }
 
 }  // namespace

@@ -29,6 +29,9 @@ namespace balcony::lsp {
 [[nodiscard]] nlohmann::json symbols_answer(OpenText& text);
 /// The fixes of what was last found in a part of a text.
 [[nodiscard]] nlohmann::json fixes_answer(OpenText& text, std::size_t begin, std::size_t end);
+/// As a text shows it; at its begin if it is about something else.
+[[nodiscard]] nlohmann::json diagnostic_of(const SourceText& text, const Diagnostic& one);
+[[nodiscard]] nlohmann::json edit_in(const SourceText& text, const lang::TextEdit& edit);
 /// The parameters of publishDiagnostics.
 [[nodiscard]] nlohmann::json diagnostics_of(const std::string& uri, const SourceText& text,
                                             const Diagnostics& found, int version);

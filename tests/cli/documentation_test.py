@@ -75,6 +75,8 @@ class Documentation(support.CommandTest):
                     small += self.short_film(words)
                 if words[0] == "lsp":
                     self.serve(*words)
+                elif words[0] == "studio":
+                    self.open_studio(*words)
                 elif "--watch" in words:
                     self.watch(*words, *small)
                 else:
@@ -92,6 +94,12 @@ class Documentation(support.CommandTest):
             for line in process.stderr:
                 if b"watching" in line:
                     process.send_signal(signal.SIGINT)
+            self.assertEqual(process.wait(timeout=60), 130)
+
+    def open_studio(self, *words):
+        with self.start(*words) as process:
+            self.assertIn(b"http://", process.stdout.readline())
+            process.send_signal(signal.SIGINT)
             self.assertEqual(process.wait(timeout=60), 130)
 
     def serve(self, *words):
@@ -150,7 +158,7 @@ class Documentation(support.CommandTest):
         lines = []
         for words in ((), ("render",), ("animate",), ("check",), ("list",), ("info",), ("draw",),
                       ("explain",), ("export",), ("locate",), ("solve",), ("rays",), ("stmap",),
-                      ("warp",), ("blend",)):
+                      ("warp",), ("blend",), ("studio",)):
             lines += command_lines(self.run_command(*words, "--help")[0])
         self.assertGreaterEqual(len(lines), 10)
         self.run_all(lines)

@@ -79,6 +79,7 @@ private:
     ROW(check)                \
     ROW(explain)              \
     ROW(fmt)                  \
+    ROW(studio)               \
     ROW(lsp)                  \
     ROW(list)                 \
     ROW(locate)               \

@@ -1,0 +1,59 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// A page at the other end of a socket.
+
+#include <memory>
+#include <optional>
+#include <string_view>
+
+#include <nlohmann/json.hpp>
+
+#include "lsp/server.hpp"
+#include "studio/session/picture_flow.hpp"
+#include "studio/web/server.hpp"
+
+namespace balcony::studio {
+
+class Studio;
+
+class PageClient final : public SocketUser {
+public:
+    PageClient(Studio& studio, Socket& socket);
+    ~PageClient() override;
+
+    /// Another one for each page.
+    [[nodiscard]] int number() const { return number_; }
+
+    void receive(std::string_view text) override;
+
+    void tell(const nlohmann::json& message);
+    void show(const Bytes& frame) { flow_.show(frame); }
+    void rest(const nlohmann::json& message);
+    /// Somebody else has changed the text: the message says so.
+    void replace_text(const nlohmann::json& message);
+
+private:
+    struct Row;
+    static const Row rows[];
+
+    [[nodiscard]] std::optional<nlohmann::json> handle(const nlohmann::json& message);
+    [[nodiscard]] bool is_about_text(const nlohmann::json& message) const;
+    [[nodiscard]] bool take_text(const nlohmann::json& told);
+
+    [[nodiscard]] nlohmann::json change_view(const nlohmann::json& asked);
+    [[nodiscard]] nlohmann::json see(const nlohmann::json& asked);
+    [[nodiscard]] nlohmann::json set_values(const nlohmann::json& asked);
+    [[nodiscard]] nlohmann::json save(const nlohmann::json& asked);
+
+    Studio& studio_;
+    Socket& socket_;
+    int number_;
+    PictureFlow flow_;
+    bool has_joined_ = false;
+    std::shared_ptr<PageClient*> self_;  ///< What other threads post finds the page by it.
+    lsp::LanguageServer language_;
+};
+
+}  // namespace balcony::studio
