@@ -46,9 +46,9 @@ Studio::Studio(Server& server, const Options& options, SharedText text)
                [this](std::uint64_t change) {
                    server_.post([this, change] { take_rest(change); });
                }}) {
-    const auto told = [this](auto function) {
-        return [this, function](const auto& state) {
-            server_.post([this, function, state] { function(state); });
+    const auto told = [&server](auto function) {
+        return [&server, function](const auto& state) {
+            server.post([function, state] { function(state); });
         };
     };
     view_ = live::View::load(
