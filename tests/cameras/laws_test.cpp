@@ -87,7 +87,7 @@ TEST_P(BuiltIn, FitsAScene) {
     constexpr std::size_t side = 48;
     const auto width = static_cast<std::size_t>(std::lround(side * made->aspect()));
     const Result<rays::CompiledPicture> picture =
-        rays::compile(*made, static_cast<double>(width), side, {.bends = true});
+        rays::compile(*made, static_cast<double>(width), side, {});
     ASSERT_TRUE(picture);
     std::size_t valid = 0;
     rays::Scratch scratch;
@@ -116,7 +116,6 @@ TEST_P(BuiltIn, IsMadeAtTheLimitsOfItsParametersAndNotBeyond) {
                                              "ods merge_to",
                                              "ods_stereo merge_from",
                                              "ods_stereo merge_to",
-                                             "portrait_lens distance",
                                              "vr180 merge_from",
                                              "vr180 merge_to"};
     for (const auto& parameter : description_of(GetParam()).parameters) {
