@@ -103,6 +103,7 @@ test("a number is dragged in the text, as one step of undo", async () => {
 
 test("an error greys the last good picture, names its place, and is mended by a click", async () => {
     const page = await open();
+    await page.until(({ session }) => session.shown?.quality === "denoised");
     const before = await page.pixels();
     await page.type("superellipse(1", "superelipse(1");
     const message = page.tab.locator("live-picture .message");
