@@ -5,7 +5,6 @@
 // closes with Escape, and a promise of the answer.
 
 import { html, render, type TemplateResult } from "lit";
-import type { RenderOrder } from "./protocol";
 
 /** The form's fields by name, and the button that was pressed; null if it was closed. */
 function ask(title: string, body: TemplateResult | string, buttons: [string, string][]): Promise<FormData | null> {
@@ -46,34 +45,6 @@ const numberField = (name: string, words: string, value: number, most: number) =
     <label><span>${words}</span><input type="number" name=${name} value=${value} min="1" max=${most} required /></label>
 `;
 
-export async function askForRender(size: [number, number]): Promise<RenderOrder | null> {
-    const answer = await ask(
-        "Render in full quality",
-        html`
-            <div class="fields">
-                ${numberField("width", "Width", size[0], 65536)} ${numberField("height", "Height", size[1], 65536)}
-                ${numberField("samples", "Samples a pixel", 64, 65536)}
-                <label>
-                    <span>File</span>
-                    <select name="output">
-                        <option value="png">PNG, for the screen</option>
-                        <option value="exr">EXR, with all its light</option>
-                    </select>
-                </label>
-            </div>
-        `,
-        [["render", "Render"]],
-    );
-    if (!answer) return null;
-    const number = (name: string): number => Number(answer.get(name));
-    return {
-        width: number("width"),
-        height: number("height"),
-        samples: number("samples"),
-        output: answer.get("output") === "exr" ? "exr" : "png",
-    };
-}
-
 export async function askForSize(size: [number, number]): Promise<string | null> {
     const answer = await ask(
         "Size of the picture",
@@ -89,25 +60,8 @@ export async function confirm(title: string, words: string, action: string): Pro
     return (await ask(title, html`<p>${words}</p>`, [["yes", action]])) !== null;
 }
 
-export async function showText(title: string, text: string, fileName: string | null): Promise<void> {
-    const answer = await ask(
-        title,
-        html`<textarea readonly rows="14" cols="80" aria-label=${title} .value=${text}></textarea>`,
-        fileName ? [["save", "Download"], ["copy", "Copy"]] : [["copy", "Copy"]],
-    );
-    if (answer?.get("button") === "copy") await navigator.clipboard.writeText(text);
-    if (answer?.get("button") === "save" && fileName) {
-        const link = document.createElement("a");
-        link.href = URL.createObjectURL(new Blob([text], { type: "text/plain" }));
-        link.download = fileName;
-        link.click();
-        URL.revokeObjectURL(link.href);
-    }
-}
-
 const keys: [string, string][] = [
     ["Ctrl+S", "save the file"],
-    ["Ctrl+Enter", "render in full quality"],
     ["Alt+1, Alt+2", "go to the text, to the sliders"],
     ["Ctrl+Z, Ctrl+Y", "undo, redo, also what a slider has changed"],
     ["Ctrl and the mouse", "drag a number of the text; with Shift, ten times as far"],

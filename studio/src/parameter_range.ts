@@ -23,9 +23,9 @@ export function rangeOf(parameter: Parameter): SliderRange {
     const unit = unitOf(parameter);
     const value = parameter.value / unit;
     const isAngle = parameter.unit === "angle";
-    const size = Math.max(Math.abs(value), Math.abs(parameter.default / unit));
+    const size = Math.abs(value);
     const around = isAngle ? Math.max(180, 2 * size) : size === 0 ? 10 : 2 * size;
-    const isSigned = isAngle || value <= 0 || parameter.default <= 0;
+    const isSigned = isAngle || value <= 0;
     let min = parameter.min === undefined ? undefined : parameter.min / unit;
     let max = parameter.max === undefined ? undefined : parameter.max / unit;
     if (min === undefined) min = max === undefined ? (isSigned ? -around : 0) : Math.min(isSigned ? -around : 0, max - 1);

@@ -54,16 +54,12 @@ export interface About {
     scene: string;
     readOnly: boolean;
     size: [number, number];
-    languages?: string[];
-    /** What the server can do beyond text and view. */
-    requests?: string[];
 }
 
 /** A number of the camera. Angles are in radians. */
 export interface Parameter {
     name: string;
     value: number;
-    default: number;
     unit: string;
     min?: number;
     max?: number;
@@ -114,25 +110,6 @@ export interface SceneState {
 export interface NewText {
     version: number;
     text: string;
-}
-
-export interface RenderOrder {
-    width: number;
-    height: number;
-    samples: number;
-    output: "png" | "exr";
-}
-
-export interface RenderProgress {
-    id: number;
-    done: number;
-    seconds: number;
-}
-
-export interface RenderDone {
-    id: number;
-    file: string;
-    warnings: string[];
 }
 
 /** The error codes that the page acts on. */

@@ -19,8 +19,6 @@ import {
     type Parameter,
     type ParameterValue,
     protocol,
-    type RenderDone,
-    type RenderProgress,
     type SceneState,
     type TextEdit,
     type ViewChange,
@@ -58,8 +56,6 @@ export class Session implements Listener {
     chosen = "";
     shown: FrameHead | null = null;
     isAtRest = false;
-    /** What is being rendered in full quality. */
-    render: RenderProgress | null = null;
     readonly latency = new Latency();
     readonly connection: Connection;
     private readonly text = new SharedText((version, text) => this.send(version, text));
@@ -92,10 +88,6 @@ export class Session implements Listener {
     /** What keeps the picture from following, or null. */
     get error(): Problem | null {
         return this.problems.find(({ severity }) => severity === "error") ?? null;
-    }
-
-    can(request: string): boolean {
-        return this.about?.requests?.includes(request) ?? false;
     }
 
     /** Whether the server has the text of the editor. */
@@ -181,7 +173,6 @@ export class Session implements Listener {
     lost(isRefused: boolean): void {
         this.link = isRefused ? "refused" : this.about ? "lost" : "connecting";
         this.text.disconnected();
-        this.render = null;
         this.page.changed();
     }
 
@@ -210,11 +201,6 @@ export class Session implements Listener {
             this.showProblems();
         },
         "view/rest": () => (this.isAtRest = true),
-        "render/progress": (progress: RenderProgress) => (this.render = progress),
-        "render/done": ({ file, warnings }: RenderDone) => {
-            this.render = null;
-            this.page.say([`Wrote ${file}`, ...warnings].join("\n"));
-        },
     };
 
     async frame(head: FrameHead, bytes: Uint8Array): Promise<void> {

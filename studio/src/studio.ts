@@ -6,7 +6,7 @@
 import { type ChangeSet, Text } from "@codemirror/state";
 import { html, LitElement } from "lit";
 import { Refusal } from "./connection";
-import { askForRender, askForSize, confirm, showKeys, showText } from "./dialogs";
+import { askForSize, confirm, showKeys } from "./dialogs";
 import type { CameraEditor } from "./editor";
 import "./editor";
 import type { Problem } from "./language_server";
@@ -132,17 +132,8 @@ export class BalconyStudio extends LitElement implements Page {
         },
         size: (name) => void this.resize(name),
         save: () => this.attempt(this.save()),
-        render: () => {
-            if (this.session.can("render/start")) this.attempt(this.render_());
-        },
-        stop: () => {
-            const { render, connection } = this.session;
-            if (render) this.attempt(connection.request("render/stop", { id: render.id }));
-        },
-        command: () => this.attempt(this.copyCommand()),
         expose: () => this.session.changeView({ exposure: true }),
         format: () => this.attempt(this.session.format()),
-        export: (language) => this.attempt(this.export(language)),
         theme: (theme) => {
             chooseTheme(theme);
             this.changed();
@@ -154,15 +145,13 @@ export class BalconyStudio extends LitElement implements Page {
         const control = event.ctrlKey || event.metaKey;
         const act = control && event.key === "s"
             ? this.actions.save
-            : control && event.key === "Enter"
-              ? this.actions.render
-              : event.altKey && event.key === "1"
-                ? () => this.editor.focus()
-                : event.altKey && event.key === "2"
-                  ? () => this.sliders.querySelector("input")?.focus()
-                  : event.key === "F1"
-                    ? this.actions.keys
-                    : this.undoKey(event, control);
+            : event.altKey && event.key === "1"
+              ? () => this.editor.focus()
+              : event.altKey && event.key === "2"
+                ? () => this.sliders.querySelector("input")?.focus()
+                : event.key === "F1"
+                  ? this.actions.keys
+                  : this.undoKey(event, control);
         if (!act || document.querySelector("dialog[open]")) return;
         event.preventDefault();
         event.stopPropagation();
@@ -230,30 +219,6 @@ export class BalconyStudio extends LitElement implements Page {
             await this.session.save(true);
         }
         this.say("Saved");
-    }
-
-    private async render_(): Promise<void> {
-        const aspect = this.pixels[0] / this.pixels[1];
-        const order = await askForRender([1920, Math.round(1920 / aspect)]);
-        if (!order) return;
-        const { id } = await this.session.connection.request<{ id: number }>("render/start", order);
-        this.session.render ??= { id, done: 0, seconds: 0 };
-        this.changed();
-    }
-
-    private async copyCommand(): Promise<void> {
-        const { line } = await this.session.connection.request<{ line: string }>("command", {});
-        try {
-            await navigator.clipboard.writeText(line);
-            this.say(`Copied:\n${line}`);
-        } catch {
-            await showText("The command line", line, null);
-        }
-    }
-
-    private async export(language: string): Promise<void> {
-        const { text } = await this.session.connection.request<{ text: string }>("export", { language });
-        await showText(`The camera in ${language}`, text, `${this.session.camera?.name ?? "camera"}.${language}.txt`);
     }
 
     // What is seen.

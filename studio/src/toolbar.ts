@@ -14,12 +14,8 @@ export interface ToolbarActions {
     /** By the words of choiceOf(). */
     size(name: string): void;
     save(): void;
-    render(): void;
-    stop(): void;
-    command(): void;
     expose(): void;
     format(): void;
-    export(language: string): void;
     theme(theme: Theme): void;
     keys(): void;
 }
@@ -63,41 +59,15 @@ function sizeChoice(size: SizeChoice, pixels: [number, number], actions: Toolbar
     `;
 }
 
-function renderButton(session: Session, actions: ToolbarActions) {
-    const { render } = session;
-    if (!session.can("render/start")) return nothing;
-    if (!render) {
-        return html`<button class="main" id="render" title="Render in full quality (Ctrl+Enter)" @click=${actions.render}>
-            Render…
-        </button>`;
-    }
-    const part = Math.round(100 * render.done);
-    return html`
-        <span class="progress">
-            <progress max="100" value=${part} aria-label="Rendering"></progress>
-            <span>${part}%</span>
-            <button id="stop" @click=${actions.stop}>Stop</button>
-        </span>
-    `;
-}
-
-function menu(session: Session, theme: Theme, actions: ToolbarActions) {
+function menu(theme: Theme, actions: ToolbarActions) {
     const item = (id: string, words: string, keys: string, act: () => void) =>
         html`<button id=${id} role="menuitem" @click=${act}><span>${words}</span><kbd>${keys}</kbd></button>`;
-    const languages = session.can("export") ? (session.about?.languages ?? []) : [];
     return html`
         <details class="menu" @keydown=${closeOnEscape} @focusout=${closeOnLeave}>
             <summary aria-label="More" title="More" role="button">⋯</summary>
             <div class="items" role="menu" @click=${closeOnChoice}>
-                ${session.can("command") ? item("command", "Copy the command line", "", actions.command) : nothing}
                 ${item("format", "Format the text", "Shift+Alt+F", actions.format)}
                 ${item("expose", "Expose for this picture", "", actions.expose)}
-                ${languages.length > 0
-                    ? html`<div class="group" role="group" aria-label="Export the camera to">
-                          <span class="heading">Export the camera to</span>
-                          ${languages.map((name) => item(`export-${name}`, name, "", () => actions.export(name)))}
-                      </div>`
-                    : nothing}
                 <div class="group themes" role="group" aria-label="Colours">
                     <span class="heading">Colours</span>
                     ${themes.map(
@@ -158,7 +128,7 @@ export function toolbar({ session, size, pixels, theme }: Shown, actions: Toolba
             ${cameraChoice(session, actions)} ${sizeChoice(size, pixels, actions)}
             <span class="space"></span>
             <button id="save" ?disabled=${!unsaved} title="Save the file (Ctrl+S)" @click=${actions.save}>Save</button>
-            ${renderButton(session, actions)} ${menu(session, theme, actions)}
+            ${menu(theme, actions)}
         </header>
     `;
 }

@@ -32,7 +32,6 @@ class Messages(StudioTest):
         self.assertEqual(about["size"], [64, 48])
         self.assertEqual(about["savedVersion"], about["textVersion"])
         self.assertFalse(about["readOnly"])
-        self.assertIn("osl", about["languages"])
 
     def test_the_order_of_messages(self):
         self.open()

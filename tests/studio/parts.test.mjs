@@ -234,7 +234,7 @@ test("edits change only what is different", () => {
     assert.deepEqual(changes, [{ from: 13, to: 14, insert: "25" }]);
 });
 
-const parameter = (value, more = {}) => ({ name: "a", value, default: value, unit: "number", ...more });
+const parameter = (value, more = {}) => ({ name: "a", value, unit: "number", ...more });
 
 test("a slider keeps to the limits of its parameter, and has room where there are none", () => {
     const degree = Math.PI / 180;

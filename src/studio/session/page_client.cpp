@@ -9,7 +9,6 @@
 #include "lsp/answers.hpp"
 #include "lsp/rpc.hpp"
 #include "studio/session/studio.hpp"
-#include "studio/session/text_edits.hpp"
 #include "studio/session/view_messages.hpp"
 
 namespace balcony::studio {
@@ -141,14 +140,14 @@ json PageClient::see(const json& /*asked*/) {
 }
 
 json PageClient::set_values(const json& asked) {
-    const Result<std::string> made = studio_.with_values(values_of(asked.at("values")));
+    const auto made = studio_.edits_of(values_of(asked.at("values")));
     if (!made) {
         throw lsp::Refusal{lsp::request_failed, to_text(made.diagnostics)};
     }
-    const SourceText before("", studio_.text().text());
+    const SourceText text("", studio_.text().text());
     json edits = json::array();
-    for (const lang::TextEdit& edit : edits_between(before.text(), *made)) {
-        edits.push_back(lsp::edit_in(before, edit));
+    for (const lang::TextEdit& edit : *made) {
+        edits.push_back(lsp::edit_in(text, edit));
     }
     return {{"edits", std::move(edits)}, {"version", studio_.text().version()}};
 }

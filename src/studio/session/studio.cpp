@@ -3,12 +3,10 @@
 
 #include "studio/session/studio.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "balcony/export.hpp"
 #include "lsp/open_text.hpp"
 #include "lsp/rpc.hpp"
 #include "studio/session/page_client.hpp"
@@ -51,15 +49,16 @@ Studio::Studio(Server& server, const Options& options, SharedText text)
             server.post([function, state] { function(state); });
         };
     };
-    view_ = live::View::load(
-        options.request,
-        {.frame = [this](const live::Frame& frame) { encoder_.show(frame); },
-         .scene = told([this](const live::SceneState& state) {
-             tell_all(scene_told_, "studio/scene", told_of(state));
-         }),
-         .camera = told([this](const live::CameraState& state) { take_camera(state); }),
-         .rest = [this](std::uint64_t change) { encoder_.rest(change); }},
-        {}, text_.file().parent_path());
+    view_ = live::View::load(options.request,
+                             {.frame = [this](const live::Frame& frame) { encoder_.show(frame); },
+                              .scene = told([this](const live::SceneState& state) {
+                                  tell_all(scene_told_, "studio/scene", told_of(state));
+                              }),
+                              .camera = told([this](const live::CameraState& state) {
+                                  tell_all(camera_told_, "view/camera", told_of(state));
+                              }),
+                              .rest = [this](std::uint64_t change) { encoder_.rest(change); }},
+                             {}, text_.file().parent_path());
     scene_told_ = lsp::notification("studio/scene", {{"state", "loading"}});
     view_->change({.text = text_.text(), .camera = camera_, .size = options.size});
 }
@@ -82,10 +81,6 @@ void Studio::join(PageClient& page) {
 void Studio::leave(PageClient& page) { pages_.erase(&page); }
 
 json Studio::about() const {
-    json languages = json::array();
-    for (const bridge::ExportTarget& target : bridge::export_targets()) {
-        languages.push_back(target.name);
-    }
     return {{"protocol", protocol},
             {"version", BALCONY_VERSION},
             {"session", session_},
@@ -96,8 +91,7 @@ json Studio::about() const {
             {"camera", camera_},
             {"scene", options_.request.scene},
             {"readOnly", options_.is_read_only},
-            {"size", options_.size},
-            {"languages", std::move(languages)}};
+            {"size", options_.size}};
 }
 
 bool Studio::take_text(int version, const std::string& text, const PageClient& by) {
@@ -128,31 +122,15 @@ std::uint64_t Studio::change_view(live::Change change) {
     return view_->change(std::move(change));
 }
 
-Result<std::string> Studio::with_values(const std::vector<live::Value>& values) const {
-    std::vector<lang::OpenParameter> known = good_camera_.open;
-    known.insert(known.end(), good_camera_.closed.begin(), good_camera_.closed.end());
-    std::vector<std::string> names;
-    for (const lang::OpenParameter& one : known) {
-        names.push_back(one.name);
+Result<std::vector<lang::TextEdit>> Studio::edits_of(const std::vector<live::Value>& values) const {
+    std::vector<lang::ParameterMove> moves;
+    for (const live::Value& one : values) {
+        moves.push_back({.parameter = one.parameter, .value = one.value});
     }
-    std::vector<lang::Override> written;
-    for (const live::Value& value : values) {
-        const auto one = std::find(names.begin(), names.end(), value.parameter);
-        if (one == names.end()) {
-            const auto nearest = nearest_name(value.parameter, names);
-            return error(
-                fmt::format("the camera that is shown has no number '{}'", value.parameter), {},
-                nearest ? fmt::format("did you mean '{}'?", *nearest)
-                        : "wait until the camera is shown");
-        }
-        const lang::OpenParameter& parameter = known[static_cast<std::size_t>(one - names.begin())];
-        written.push_back(
-            {value.parameter, lang::literal(value.value, parameter.is_angle, parameter.written)});
-    }
-    const lang::CameraSource source(
+    const lang::EditedText text(
         std::make_shared<const SourceText>(std::string(live::text_name), text_.text()),
         text_.file().parent_path());
-    return lang::Workspace().with_values(source, camera_, written);
+    return text.with_values(camera_, moves);
 }
 
 void Studio::save(bool replaces_changes) {
@@ -181,13 +159,6 @@ void Studio::tell_all(json& last, std::string_view method, json told) {
     for (PageClient* const page : pages_) {
         page->tell(last);
     }
-}
-
-void Studio::take_camera(const live::CameraState& state) {
-    if (!has_errors(state.diagnostics)) {
-        good_camera_ = state;
-    }
-    tell_all(camera_told_, "view/camera", told_of(state));
 }
 
 void Studio::take_frame(const Bytes& frame) {

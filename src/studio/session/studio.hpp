@@ -16,7 +16,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "balcony/lang.hpp"
+#include "balcony/language_service.hpp"
 #include "balcony/live.hpp"
 #include "studio/serve.hpp"
 #include "studio/session/frame_encoder.hpp"
@@ -47,14 +47,14 @@ public:
     [[nodiscard]] nlohmann::json text_message(const PageClient* by) const;
     /// The number of the change.
     std::uint64_t change_view(live::Change change);
-    /// The text with other values of the parameters of the camera that is shown.
-    [[nodiscard]] Result<std::string> with_values(const std::vector<live::Value>& values) const;
+    /// The changes of the text that give parameters of the camera that is shown other values.
+    [[nodiscard]] Result<std::vector<lang::TextEdit>> edits_of(
+        const std::vector<live::Value>& values) const;
     /// Writes the file, and tells the pages. Throws a Refusal.
     void save(bool replaces_changes);
 
 private:
     void tell_all(nlohmann::json& last, std::string_view method, nlohmann::json told);
-    void take_camera(const live::CameraState& state);
     void take_frame(const Bytes& frame);
     void take_rest(std::uint64_t change);
 
@@ -71,7 +71,6 @@ private:
     nlohmann::json camera_told_;
     nlohmann::json rest_told_;
     Bytes frame_;
-    live::CameraState good_camera_;  ///< The last one without errors.
 
     FrameEncoder encoder_;
     std::unique_ptr<live::View> view_;  ///< The last member, since its thread uses the others.

@@ -40,7 +40,6 @@ std::array<std::size_t, 2> size_of(const json& asked) {
 json told_of_parameter(const lang::OpenParameter& one) {
     json made{{"name", one.name},
               {"value", one.value},
-              {"default", one.value},
               {"written", one.written},
               {"unit", one.is_angle ? "angle" : "number"}};
     if (std::isfinite(one.limits.minimum)) {
