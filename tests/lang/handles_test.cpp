@@ -24,15 +24,6 @@ std::shared_ptr<const SourceText> text_of(const std::string& written) {
     return std::make_shared<const SourceText>("test.cam", written);
 }
 
-std::string edited(std::string text, std::vector<TextEdit> edits) {
-    std::sort(edits.begin(), edits.end(),
-              [](const TextEdit& a, const TextEdit& b) { return a.begin > b.begin; });
-    for (const TextEdit& edit : edits) {
-        text.replace(edit.begin, edit.end - edit.begin, edit.text);
-    }
-    return text;
-}
-
 // "warp zoom.at parameter_point 1, 2": what a handle is, with its numbers; ~ does not move.
 std::string told(const Handle& handle) {
     std::string made = fmt::format("{} {}{}{}{} {}", handle.statement, handle.stage,
@@ -72,7 +63,7 @@ std::string moved(const std::string& written, std::string_view parameter,
         return "no handle";
     }
     const auto edits = text.moved(camera, *handle, moves);
-    return edits ? edited(written, *edits) : edits.diagnostics.front().message;
+    return edits ? test::edited(written, *edits) : edits.diagnostics.front().message;
 }
 
 const std::string zoomed = R"(// A zoom.
@@ -159,7 +150,7 @@ TEST(Handles, OfADerivedCameraAreThoseOfItsBase) {
     EXPECT_EQ(place->begin, place->end);
     const auto edits = text.moved({}, *place, {{0, 2.5, 0.01}});
     ASSERT_TRUE(edits);
-    EXPECT_EQ(edited(written, *edits), "camera wide = pinhole(fov = 100deg, px = 2.5)\n");
+    EXPECT_EQ(test::edited(written, *edits), "camera wide = pinhole(fov = 100deg, px = 2.5)\n");
 }
 
 TEST(Handles, AHandWritesTheLiteralThatANumberIsMadeOf) {
@@ -209,7 +200,7 @@ TEST(Handles, ParametersAreWrittenLikeSolvedOnes) {
     const auto whole =
         workspace.with_values({text_of(zoomed)}, "zoomed", {{"fov", "50deg"}, {"eye_x", "0.12"}});
     ASSERT_TRUE(whole);
-    EXPECT_EQ(edited(zoomed, *edits), *whole);
+    EXPECT_EQ(test::edited(zoomed, *edits), *whole);
     EXPECT_EQ(text.with_values("zoomed", {{"fav", 1.0}}).diagnostics.front().message,
               "the camera 'zoomed' has no parameter 'fav'");
     EXPECT_FALSE(text.with_values("other", {{"fov", 1.0}}));
@@ -248,7 +239,7 @@ TEST(Handles, EveryExampleMoves) {
                 const auto edits = text.moved({}, all[h], {{i, allowed, step}});
                 ASSERT_TRUE(edits) << to_text(edits.diagnostics);
                 ASSERT_FALSE(edits->empty());
-                const std::string after = edited(written, *edits);
+                const std::string after = test::edited(written, *edits);
                 const std::vector<Handle> then = EditedText(text_of(after)).handles();
                 ASSERT_EQ(then.size(), all.size()) << after;
                 EXPECT_NEAR(then[h].numbers[i].value, allowed, 2.0 * step) << after;

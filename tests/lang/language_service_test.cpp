@@ -49,15 +49,6 @@ std::string place_of(const SourceSpan& span) {
     return fmt::format("{}:{}", at.line, at.column);
 }
 
-std::string edited(std::string text, std::vector<TextEdit> edits) {
-    std::sort(edits.begin(), edits.end(),
-              [](const TextEdit& a, const TextEdit& b) { return a.begin > b.begin; });
-    for (const TextEdit& edit : edits) {
-        text.replace(edit.begin, edit.end - edit.begin, edit.text);
-    }
-    return text;
-}
-
 struct CompletionCase {
     const char* name;
     const char* text;
@@ -240,7 +231,7 @@ TEST(LanguageService, CompletesObjectsThatWork) {
             continue;
         }
         const std::string whole =
-            edited(std::string(marked.text->text()), {{made.begin, made.end, found->text}});
+            test::edited(std::string(marked.text->text()), {{made.begin, made.end, found->text}});
         const auto result = test::make(whole);
         EXPECT_FALSE(has_errors(result.diagnostics)) << whole << to_text(result.diagnostics);
     }
@@ -346,7 +337,7 @@ TEST(LanguageService, Renames) {
     const auto renamed = [](const std::string& written, std::string_view name) {
         const Marked marked(written);
         const auto made = EditedText(marked.text).rename(marked.offset, name);
-        return made ? edited(std::string(marked.text->text()), *made)
+        return made ? test::edited(std::string(marked.text->text()), *made)
                     : made.diagnostics.front().message;
     };
     EXPECT_EQ(renamed("let w = 1 // w\ncamera a { aspect ^w eye sphere(w) }", "width"),
@@ -406,7 +397,7 @@ TEST(LanguageService, FixesRemedyTheirErrors) {
             for (const Fix& fix : fixes_of(one)) {
                 ++fixes;
                 const auto fixed = std::make_shared<const SourceText>(
-                    "bad.cam", edited(std::string(source->text()), {fix.edit}));
+                    "bad.cam", test::edited(std::string(source->text()), {fix.edit}));
                 for (const Diagnostic& left :
                      test::check(CameraSource(fixed, entry.path().parent_path()))) {
                     EXPECT_FALSE(left.message == one.message && left.span.begin == one.span.begin)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <fstream>
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "balcony/lang.hpp"
+#include "balcony/language_service.hpp"
 
 namespace balcony::lang::test {
 
@@ -36,6 +38,16 @@ inline std::string joined(std::initializer_list<std::string_view> parts) {
     std::string text;
     for (const std::string_view part : parts) {
         text += part;
+    }
+    return text;
+}
+
+/// A text with its changes.
+inline std::string edited(std::string text, std::vector<TextEdit> edits) {
+    std::sort(edits.begin(), edits.end(),
+              [](const TextEdit& a, const TextEdit& b) { return a.begin > b.begin; });
+    for (const TextEdit& edit : edits) {
+        text.replace(edit.begin, edit.end - edit.begin, edit.text);
     }
     return text;
 }
