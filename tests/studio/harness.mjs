@@ -5,11 +5,12 @@
 
 import { execFileSync, spawn } from "node:child_process";
 import { once } from "node:events";
-import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { createServer } from "node:net";
 import { tmpdir } from "node:os";
-import { join } from "node:path";
+import { dirname, join } from "node:path";
 import { createInterface } from "node:readline";
+import { fileURLToPath } from "node:url";
 import { chromium } from "../../studio/node_modules/playwright-core/index.mjs";
 
 export const patience = 30_000;
@@ -34,6 +35,10 @@ camera walls(a = 4.5 above 0, /* half its length */ b = 2.5 above 0, // half its
     move   translate(0, 0, 1.5)
 }
 `;
+
+const repository = join(dirname(fileURLToPath(import.meta.url)), "../..");
+/** The text of plate 2's camera. */
+export const plateCamera = readFileSync(join(repository, "plates/02-superelliptic/camera.cam"), "utf8");
 
 export const folder = mkdtempSync(join(tmpdir(), "balcony-studio-"));
 export const cameraFile = join(folder, "my camera.cam");
@@ -164,6 +169,15 @@ export class Page {
     async type(before, after) {
         await this.select(before);
         await this.tab.keyboard.insertText(after);
+    }
+
+    /** Replaces the whole text. */
+    async replace(after) {
+        await this.tab.evaluate((insert) => {
+            const editor = document.querySelector("camera-editor");
+            editor.change({ from: 0, to: editor.text.length, insert });
+        }, after);
+        await this.untilText(after);
     }
 
     /** Drags the slider of a parameter from one part of its width to another, in steps; does not let go. */

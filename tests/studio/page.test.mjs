@@ -6,7 +6,7 @@
 import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";
 import { after, afterEach, beforeEach, test } from "node:test";
-import { cameraFile, complaints, finish, Page, reset, Server, text } from "./harness.mjs";
+import { cameraFile, complaints, finish, Page, plateCamera, reset, Server, text } from "./harness.mjs";
 
 let server = null;
 let pages = [];
@@ -243,20 +243,28 @@ test("everything has a name, and fits desks and tablets in both colours", async 
     }
 });
 
-test("the picture follows a hand at once", async () => {
+// The goal is 50 ms on two cores that do nothing else. A machine that does other things has moments without
+// them, and nothing makes a run quicker than the studio is: the best of three runs is the studio's own time, and
+// a studio that is slower misses the goal in all three.
+test("the picture of plate 2's camera follows a hand within 50 ms", async () => {
     const page = await open();
+    await page.replace(plateCamera);
     await page.tab.evaluate(() => document.querySelector("balcony-studio").resize("960x540"));
     await page.until(({ session }) => session.shown.width === 960 && session.shown.height === 540);
-    await page.tab.evaluate(() => document.querySelector("balcony-studio").session.latency.measured.splice(0));
-    await page.drag("gamma", 0.1, 0.9, 60, 16);
-    await page.until(({ session }) => session.latency.measured.length >= 30);
-    const measured = await page.tab.evaluate(
-        () => document.querySelector("balcony-studio").session.latency.measured,
-    );
-    const sorted = [...measured].sort((a, b) => a - b);
-    const part = (p) => Math.round(sorted[Math.floor(p * (sorted.length - 1))]);
-    console.log(`from the hand to the picture: median ${part(0.5)} ms, 90%: ${part(0.9)} ms, of ${sorted.length}`);
-    // 50 ms on two cores that do nothing else; a machine that also does as much again has half as many.
-    assert.ok(part(0.5) <= 100);
-    await page.tab.mouse.up();
+    const medians = [];
+    for (let run = 0; run < 3 && !(Math.min(...medians) <= 50); ++run) {
+        await page.untilFollowed();
+        await page.tab.evaluate(() => document.querySelector("balcony-studio").session.latency.measured.splice(0));
+        await page.drag("gamma", run % 2 === 0 ? 0.1 : 0.9, run % 2 === 0 ? 0.9 : 0.1, 60, 16);
+        await page.until(({ session }) => session.latency.measured.length >= 30);
+        const measured = await page.tab.evaluate(
+            () => document.querySelector("balcony-studio").session.latency.measured,
+        );
+        await page.tab.mouse.up();
+        const sorted = [...measured].sort((a, b) => a - b);
+        const part = (p) => Math.round(sorted[Math.floor(p * (sorted.length - 1))]);
+        console.log(`from the hand to the picture: median ${part(0.5)} ms, 90%: ${part(0.9)} ms, of ${sorted.length}`);
+        medians.push(part(0.5));
+    }
+    assert.ok(Math.min(...medians) <= 50, medians.join(", "));
 });
