@@ -28,6 +28,10 @@ namespace balcony::lsp {
 [[nodiscard]] nlohmann::json position_in(const SourceText& text, std::size_t offset);
 [[nodiscard]] nlohmann::json range_in(const SourceText& text, std::size_t begin, std::size_t end);
 
+/// Questions about longer texts are not answered.
+inline constexpr std::size_t longest_text = 1'000'000;  ///< In bytes.
+inline constexpr std::string_view too_long = "a camera file is at most 1 MB";
+
 class OpenText {
 public:
     OpenText(std::string uri, std::string text, int version);

@@ -63,6 +63,24 @@ json notification(std::string_view method, json params) {
     return {{"jsonrpc", "2.0"}, {"method", method}, {"params", std::move(params)}};
 }
 
+std::optional<Refusal> refusal_of(const std::function<void()>& handle) {
+    try {
+        handle();
+        return std::nullopt;
+    } catch (const Refusal& refusal) {
+        return refusal;
+    } catch (const json::exception&) {
+        return Refusal{invalid_params,
+                       "the parameters do not have the form that the protocol gives them"};
+    }
+}
+
+json answer_of(const json& id, const std::function<json()>& make) {
+    json made;
+    const std::optional<Refusal> refusal = refusal_of([&] { made = make(); });
+    return refusal ? error_of(id, *refusal) : result_of(id, std::move(made));
+}
+
 std::string text_of(const json& message) {
     return message.dump(-1, ' ', false, json::error_handler_t::replace);
 }
@@ -79,7 +97,7 @@ void receive(std::string_view text, const Handler& handle, const Sink& send) {
     }
     const bool is_request = message.is_object() && message.contains("id");
     const json id = is_request ? message["id"] : json(nullptr);
-    try {
+    const std::optional<Refusal> refusal = refusal_of([&] {
         check(message);
         if (!message.contains("method")) {
             return;  // The answer to a request of the server, which makes none.
@@ -87,16 +105,9 @@ void receive(std::string_view text, const Handler& handle, const Sink& send) {
         if (const std::optional<json> answer = handle(message)) {
             send(*answer);
         }
-    } catch (const Refusal& refusal) {
-        if (is_request || !message.is_object()) {
-            send(error_of(id, refusal));
-        }
-    } catch (const json::exception&) {
-        if (is_request) {
-            send(error_of(id, {invalid_params,
-                               "the parameters do not have the form that the protocol gives "
-                               "them"}));
-        }
+    });
+    if (refusal && (is_request || !message.is_object())) {
+        send(error_of(id, *refusal));
     }
 }
 

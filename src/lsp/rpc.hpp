@@ -40,6 +40,13 @@ struct Refusal {
 [[nodiscard]] nlohmann::json error_of(const nlohmann::json& id, const Refusal& refusal);
 [[nodiscard]] nlohmann::json notification(std::string_view method, nlohmann::json params);
 
+/// Calls what handles a message. Why it refuses, if it does: by a Refusal, or by an exception of
+/// the JSON library where parameters do not have their form.
+[[nodiscard]] std::optional<Refusal> refusal_of(const std::function<void()>& handle);
+/// What a function makes as the answer to a request, or its refusal.
+[[nodiscard]] nlohmann::json answer_of(const nlohmann::json& id,
+                                       const std::function<nlohmann::json()>& make);
+
 /// A message as bytes. Replaces what is not UTF-8.
 [[nodiscard]] std::string text_of(const nlohmann::json& message);
 

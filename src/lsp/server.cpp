@@ -18,7 +18,6 @@ using nlohmann::json;
 
 namespace {
 
-constexpr std::size_t longest_text = 1'000'000;
 constexpr std::string_view publishing = "textDocument/publishDiagnostics";
 
 /// Requests about a place of a text.
@@ -153,7 +152,7 @@ OpenText& LanguageServer::text_of(const json& asked) {
         throw Refusal{invalid_params, fmt::format("'{}' is not open", uri)};
     }
     if (found->second.source()->text().size() > longest_text) {
-        throw Refusal{request_failed, "a camera file is at most 1 MB"};
+        throw Refusal{request_failed, std::string(too_long)};
     }
     return found->second;
 }
@@ -209,9 +208,9 @@ void LanguageServer::check(const OpenText& text) {
     }
     checks_.forget(text.uri());
     send_(notification(
-        publishing, diagnostics_of(text.uri(), *text.source(),
-                                   {error("a camera file is at most 1 MB", {text.source(), 0, 0})},
-                                   text.version())));
+        publishing,
+        diagnostics_of(text.uri(), *text.source(),
+                       {error(std::string(too_long), {text.source(), 0, 0})}, text.version())));
 }
 
 void LanguageServer::publish(const app::TextCheck& check) {
