@@ -20,6 +20,18 @@ camera above(size = 3, height = 5) {  // A comment.
 SMALL = [64, 48]
 
 
+def applied(text, edits):
+    """The text with edits of the protocol. It is ASCII."""
+    lines = text.splitlines(keepends=True)
+    starts = [sum(map(len, lines[:i])) for i in range(len(lines) + 1)]
+    def offset(place):
+        return starts[place["line"]] + place["character"]
+    for edit in sorted(edits, key=lambda edit: -offset(edit["range"]["start"])):
+        begin, end = offset(edit["range"]["start"]), offset(edit["range"]["end"])
+        text = text[:begin] + edit["newText"] + text[end:]
+    return text
+
+
 class StudioTest(support.CommandTest):
     def setUp(self):
         super().setUp()

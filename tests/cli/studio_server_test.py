@@ -181,6 +181,7 @@ class Robustness(StudioTest):
     def test_thousands_of_changed_messages(self):
         self.open()
         page = self.page().begin()
+        handle = page.result("handles")["handles"][0]
         chance = random.Random(3)
         samples = [json.dumps(message).encode() for message in (
             {"jsonrpc": "2.0", "id": 1, "method": "view/change", "params": {
@@ -188,6 +189,10 @@ class Robustness(StudioTest):
             {"jsonrpc": "2.0", "method": "view/seen", "params": {"change": 3}},
             {"jsonrpc": "2.0", "id": 2, "method": "text/set", "params": {
                 "values": [{"parameter": "size", "value": 2.5}]}},
+            {"jsonrpc": "2.0", "id": 3, "method": "view/drag", "params": {"pulls": [
+                {"point": [1, 0, 0], "from": [42.67, 24], "to": [48, 24]}], "layer": 0}},
+            {"jsonrpc": "2.0", "id": 5, "method": "handles/move", "params": {
+                "handle": handle, "moves": [{"number": 0, "value": 2.5, "step": 0.1}]}},
             {"jsonrpc": "2.0", "method": "textDocument/didChange", "params": {
                 "textDocument": {"uri": page.uri, "version": 2},
                 "contentChanges": [{"text": CAMERA}]}},

@@ -6,19 +6,7 @@ import signal
 import time
 
 import support
-from studio_case import CAMERA, SMALL, StudioTest
-
-
-def applied(text, edits):
-    """The text with edits of the protocol. It is ASCII."""
-    lines = text.splitlines(keepends=True)
-    starts = [sum(map(len, lines[:i])) for i in range(len(lines) + 1)]
-    def offset(place):
-        return starts[place["line"]] + place["character"]
-    for edit in sorted(edits, key=lambda edit: -offset(edit["range"]["start"])):
-        begin, end = offset(edit["range"]["start"]), offset(edit["range"]["end"])
-        text = text[:begin] + edit["newText"] + text[end:]
-    return text
+from studio_case import CAMERA, SMALL, StudioTest, applied
 
 
 class Messages(StudioTest):
@@ -36,9 +24,11 @@ class Messages(StudioTest):
     def test_the_order_of_messages(self):
         self.open()
         page = self.page()
-        for method in ("view/change", "text/set", "file/save", "textDocument/hover"):
+        for method in ("view/change", "text/set", "file/save", "textDocument/hover", "handles"):
             self.assertEqual(page.error(method)["code"], -32002, method)
         page.begin()
+        for method in page.about["requests"]:
+            self.assertNotEqual(page.ask(method).get("error", {}).get("code"), -32601, method)
         self.assertEqual(page.error("initialize")["code"], -32600)
         self.assertEqual(page.error("view/nothing")["code"], -32601)
 

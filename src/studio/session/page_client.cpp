@@ -9,26 +9,40 @@
 #include "lsp/answers.hpp"
 #include "lsp/rpc.hpp"
 #include "studio/session/studio.hpp"
+#include "studio/session/text_messages.hpp"
 #include "studio/session/view_messages.hpp"
 
 namespace balcony::studio {
 
 using nlohmann::json;
 
+// What the studio adds to the Language Server Protocol: requests that are answered at once.
 struct PageClient::Row {
     std::string_view method;
     json (PageClient::*answer)(const json& asked);
 };
 
-// What the studio adds to the Language Server Protocol.
 const PageClient::Row PageClient::rows[] = {
     {"view/change", &PageClient::change_view},
+    {"view/drag", &PageClient::drag},
     {"view/seen", &PageClient::see},
-    {"text/set", &PageClient::set_values},
     {"file/save", &PageClient::save},
 };
 
 namespace {
+
+// Requests about the text, or about a camera of it.
+struct TextRow {
+    std::string_view method;
+    TextAnswer answer;
+};
+
+constexpr TextRow text_rows[] = {
+    {"handles", [](const lang::EditedText& text, const std::string& camera,
+                   const json&) { return handles_answer(text, camera); }},
+    {"handles/move", moved_answer},
+    {"text/set", values_answer},
+};
 
 int next_number() {
     static int last = 0;
@@ -54,7 +68,8 @@ PageClient::PageClient(Studio& studio, Socket& socket)
       number_(next_number()),
       flow_(socket),
       self_(std::make_shared<PageClient*>(this)),
-      language_(posting(studio.server(), self_)) {}
+      later_(posting(studio.server(), self_)),
+      language_(later_) {}
 
 PageClient::~PageClient() { studio_.leave(*this); }
 
@@ -69,6 +84,7 @@ void PageClient::receive(std::string_view text) {
             std::optional<json> answer = handle(message);
             if (answer && message["method"] == "initialize") {
                 (*answer)["result"]["studio"] = studio_.about();
+                (*answer)["result"]["studio"]["requests"] = requests();
                 begins = true;
             }
             return answer;
@@ -95,16 +111,56 @@ std::optional<json> PageClient::handle(const json& message) {
     }
     for (const Row& row : rows) {
         if (method == row.method) {
-            if (!has_joined_) {
-                throw lsp::Refusal{lsp::not_initialized, "the first request is initialize"};
-            }
+            require_beginning();
             json answer = (this->*row.answer)(message.value("params", json::object()));
             return message.contains("id")
                        ? std::optional(lsp::result_of(message["id"], std::move(answer)))
                        : std::nullopt;
         }
     }
+    for (const TextRow& row : text_rows) {
+        if (method == row.method) {
+            require_beginning();
+            if (message.contains("id")) {
+                ask(row.answer, message["id"], message.value("params", json::object()));
+            }
+            return std::nullopt;
+        }
+    }
     return language_.handle(message);
+}
+
+json PageClient::requests() {
+    json names = json::array();
+    for (const Row& row : rows) {
+        names.push_back(row.method);
+    }
+    for (const TextRow& row : text_rows) {
+        names.push_back(row.method);
+    }
+    return names;
+}
+
+void PageClient::require_beginning() const {
+    if (!has_joined_) {
+        throw lsp::Refusal{lsp::not_initialized, "the first request is initialize"};
+    }
+}
+
+// The answer comes from the thread of the questions; nobody waits for that of a page that has left.
+void PageClient::ask(TextAnswer answer, const json& id, const json& asked) {
+    const auto tell = [answer, id, asked, camera = asked.value("camera", studio_.camera()),
+                       version = studio_.text().version(), later = later_,
+                       page = std::weak_ptr(self_)](const lang::EditedText& text) {
+        if (!page.expired()) {
+            later(lsp::answer_of(id, [&] {
+                json made = answer(text, camera, asked);
+                made["version"] = version;
+                return made;
+            }));
+        }
+    };
+    studio_.questions().ask(studio_.text(), tell);
 }
 
 bool PageClient::is_about_text(const json& message) const {
@@ -134,22 +190,13 @@ json PageClient::change_view(const json& asked) {
     return {{"change", studio_.change_view(change_of(asked))}};
 }
 
+json PageClient::drag(const json& asked) {
+    return {{"change", studio_.change_view({.drag = drag_of(asked)})}};
+}
+
 json PageClient::see(const json& /*asked*/) {
     flow_.seen();
     return nullptr;
-}
-
-json PageClient::set_values(const json& asked) {
-    const auto made = studio_.edits_of(values_of(asked.at("values")));
-    if (!made) {
-        throw lsp::Refusal{lsp::request_failed, to_text(made.diagnostics)};
-    }
-    const SourceText text("", studio_.text().text());
-    json edits = json::array();
-    for (const lang::TextEdit& edit : *made) {
-        edits.push_back(lsp::edit_in(text, edit));
-    }
-    return {{"edits", std::move(edits)}, {"version", studio_.text().version()}};
 }
 
 json PageClient::save(const json& asked) {

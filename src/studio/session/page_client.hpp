@@ -6,10 +6,12 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include <nlohmann/json.hpp>
 
+#include "balcony/language_service.hpp"
 #include "lsp/server.hpp"
 #include "studio/session/picture_flow.hpp"
 #include "studio/web/server.hpp"
@@ -17,6 +19,10 @@
 namespace balcony::studio {
 
 class Studio;
+
+/// Answers a request about a camera of the text. As text_messages.hpp has them.
+using TextAnswer = nlohmann::json (*)(const lang::EditedText& text, const std::string& camera,
+                                      const nlohmann::json& asked);
 
 class PageClient final : public SocketUser {
 public:
@@ -41,10 +47,14 @@ private:
     [[nodiscard]] std::optional<nlohmann::json> handle(const nlohmann::json& message);
     [[nodiscard]] bool is_about_text(const nlohmann::json& message) const;
     [[nodiscard]] bool take_text(const nlohmann::json& told);
+    /// The names of all that the studio adds to the Language Server Protocol.
+    [[nodiscard]] static nlohmann::json requests();
+    void require_beginning() const;
+    void ask(TextAnswer answer, const nlohmann::json& id, const nlohmann::json& asked);
 
     [[nodiscard]] nlohmann::json change_view(const nlohmann::json& asked);
+    [[nodiscard]] nlohmann::json drag(const nlohmann::json& asked);
     [[nodiscard]] nlohmann::json see(const nlohmann::json& asked);
-    [[nodiscard]] nlohmann::json set_values(const nlohmann::json& asked);
     [[nodiscard]] nlohmann::json save(const nlohmann::json& asked);
 
     Studio& studio_;
@@ -53,6 +63,7 @@ private:
     PictureFlow flow_;
     bool has_joined_ = false;
     std::shared_ptr<PageClient*> self_;  ///< What other threads post finds the page by it.
+    lsp::Sink later_;                    ///< Takes a message from any thread.
     lsp::LanguageServer language_;
 };
 

@@ -37,6 +37,7 @@ Studio::Studio(Server& server, const Options& options, SharedText text)
       uri_(lsp::uri_of(text_.file())),
       session_(random_token()),
       camera_(options.camera),
+      questions_(text_.file().parent_path()),
       encoder_(
           {.frame =
                [this](const Bytes& frame) { server_.post([this, frame] { take_frame(frame); }); },
@@ -56,6 +57,9 @@ Studio::Studio(Server& server, const Options& options, SharedText text)
                               }),
                               .camera = told([this](const live::CameraState& state) {
                                   tell_all(camera_told_, "view/camera", told_of(state));
+                              }),
+                              .drag = told([this](const live::Dragged& dragged) {
+                                  tell_all(lsp::notification("view/dragged", told_of(dragged)));
                               }),
                               .rest = [this](std::uint64_t change) { encoder_.rest(change); }},
                              {}, text_.file().parent_path());
@@ -99,7 +103,7 @@ bool Studio::take_text(int version, const std::string& text, const PageClient& b
         return false;
     }
     // The text says what the values are, until a hand moves them again.
-    change_view({.text = text, .values = std::vector<live::Value>()});
+    change_view({.text = text, .values = std::vector<live::Value>(), .drag = live::Drag()});
     const json told = text_message(&by);
     for (PageClient* const page : pages_) {
         if (page != &by) {
@@ -122,17 +126,6 @@ std::uint64_t Studio::change_view(live::Change change) {
     return view_->change(std::move(change));
 }
 
-Result<std::vector<lang::TextEdit>> Studio::edits_of(const std::vector<live::Value>& values) const {
-    std::vector<lang::ParameterMove> moves;
-    for (const live::Value& one : values) {
-        moves.push_back({.parameter = one.parameter, .value = one.value});
-    }
-    const lang::EditedText text(
-        std::make_shared<const SourceText>(std::string(live::text_name), text_.text()),
-        text_.file().parent_path());
-    return text.with_values(camera_, moves);
-}
-
 void Studio::save(bool replaces_changes) {
     if (options_.is_read_only) {
         throw lsp::Refusal{lsp::request_failed,
@@ -147,18 +140,19 @@ void Studio::save(bool replaces_changes) {
     if (const Diagnostics found = text_.save(); has_errors(found)) {
         throw lsp::Refusal{lsp::request_failed, to_text(found)};
     }
-    const json told = lsp::notification(
-        "studio/saved", {{"version", text_.version()}, {"file", text_.file().string()}});
+    tell_all(lsp::notification("studio/saved",
+                               {{"version", text_.version()}, {"file", text_.file().string()}}));
+}
+
+void Studio::tell_all(const json& message) {
     for (PageClient* const page : pages_) {
-        page->tell(told);
+        page->tell(message);
     }
 }
 
 void Studio::tell_all(json& last, std::string_view method, json told) {
     last = lsp::notification(method, std::move(told));
-    for (PageClient* const page : pages_) {
-        page->tell(last);
-    }
+    tell_all(last);
 }
 
 void Studio::take_frame(const Bytes& frame) {

@@ -12,15 +12,14 @@
 #include <set>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include <nlohmann/json.hpp>
 
-#include "balcony/language_service.hpp"
 #include "balcony/live.hpp"
 #include "studio/serve.hpp"
 #include "studio/session/frame_encoder.hpp"
 #include "studio/session/shared_text.hpp"
+#include "studio/session/text_questions.hpp"
 #include "studio/web/server.hpp"
 
 namespace balcony::studio {
@@ -34,6 +33,8 @@ public:
     [[nodiscard]] Server& server() { return server_; }
     [[nodiscard]] const SharedText& text() const { return text_; }
     [[nodiscard]] const std::string& uri() const { return uri_; }
+    /// That is asked for; empty for the last one of the text.
+    [[nodiscard]] const std::string& camera() const { return camera_; }
 
     /// A page is there: it is told what there is.
     void join(PageClient& page);
@@ -47,13 +48,12 @@ public:
     [[nodiscard]] nlohmann::json text_message(const PageClient* by) const;
     /// The number of the change.
     std::uint64_t change_view(live::Change change);
-    /// The changes of the text that give parameters of the camera that is shown other values.
-    [[nodiscard]] Result<std::vector<lang::TextEdit>> edits_of(
-        const std::vector<live::Value>& values) const;
+    [[nodiscard]] TextQuestions& questions() { return questions_; }
     /// Writes the file, and tells the pages. Throws a Refusal.
     void save(bool replaces_changes);
 
 private:
+    void tell_all(const nlohmann::json& message);
     void tell_all(nlohmann::json& last, std::string_view method, nlohmann::json told);
     void take_frame(const Bytes& frame);
     void take_rest(std::uint64_t change);
@@ -63,7 +63,7 @@ private:
     SharedText text_;
     std::string uri_;
     std::string session_;  ///< Another one for each start.
-    std::string camera_;   ///< That is asked for.
+    std::string camera_;
     std::set<PageClient*> pages_;
 
     // What was last told; null if it was not.
@@ -72,6 +72,7 @@ private:
     nlohmann::json rest_told_;
     Bytes frame_;
 
+    TextQuestions questions_;
     FrameEncoder encoder_;
     std::unique_ptr<live::View> view_;  ///< The last member, since its thread uses the others.
 };

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "lsp/answers.hpp"
@@ -21,6 +22,7 @@ namespace {
 
 constexpr std::size_t largest_side = 8192;
 constexpr std::size_t most_pixels = 16'777'216;
+constexpr std::size_t most_pulls = 64;
 
 std::array<std::size_t, 2> size_of(const json& asked) {
     const auto side = [&asked](std::size_t index) -> std::size_t {
@@ -42,15 +44,7 @@ json told_of_parameter(const lang::OpenParameter& one) {
               {"value", one.value},
               {"written", one.written},
               {"unit", one.is_angle ? "angle" : "number"}};
-    if (std::isfinite(one.limits.minimum)) {
-        made["min"] = one.limits.minimum;
-    }
-    if (std::isfinite(one.limits.maximum)) {
-        made["max"] = one.limits.maximum;
-    }
-    if (one.limits.excludes_minimum) {
-        made["minExcluded"] = true;
-    }
+    tell_limits(one.limits, made);
     return made;
 }
 
@@ -62,7 +56,57 @@ json told_of_parameters(const std::vector<lang::OpenParameter>& all) {
     return made;
 }
 
+// As a text shows them that is the view's.
+json told_of(const Diagnostics& found) {
+    static const SourceText elsewhere("", "");
+    json made = json::array();
+    for (const Diagnostic& one : found) {
+        const bool is_here = one.span.source && one.span.source->name() == live::text_name;
+        made.push_back(lsp::diagnostic_of(is_here ? *one.span.source : elsewhere, one));
+    }
+    return made;
+}
+
+json told_of(const std::vector<live::Value>& values) {
+    json made = json::array();
+    for (const live::Value& one : values) {
+        made.push_back({{"parameter", one.parameter}, {"value", one.value}});
+    }
+    return made;
+}
+
+Imath::V2d position_of(const json& asked) {
+    return {asked.at(0).get<double>(), asked.at(1).get<double>()};
+}
+
+live::Pull pull_of(const json& asked) {
+    const json& point = asked.at("point");
+    return {{point.at(0).get<double>(), point.at(1).get<double>(), point.at(2).get<double>()},
+            asked.value("infinite", false),
+            position_of(asked.at("from")),
+            position_of(asked.at("to"))};
+}
+
 }  // namespace
+
+std::size_t index_of(const json& asked) {
+    if (!asked.is_number_unsigned()) {
+        throw lsp::Refusal{lsp::invalid_params, "an index is a whole number from 0"};
+    }
+    return asked.get<std::size_t>();
+}
+
+void tell_limits(const camera::Range& limits, json& told) {
+    if (std::isfinite(limits.minimum)) {
+        told["min"] = limits.minimum;
+    }
+    if (std::isfinite(limits.maximum)) {
+        told["max"] = limits.maximum;
+    }
+    if (limits.excludes_minimum) {
+        told["minExcluded"] = true;
+    }
+}
 
 std::vector<live::Value> values_of(const json& asked) {
     std::vector<live::Value> values;
@@ -87,16 +131,43 @@ live::Change change_of(const json& asked) {
     return change;
 }
 
-json told_of(const live::CameraState& state) {
-    static const SourceText elsewhere("", "");
-    json diagnostics = json::array();
-    for (const Diagnostic& one : state.diagnostics) {
-        const bool is_here = one.span.source && one.span.source->name() == live::text_name;
-        diagnostics.push_back(lsp::diagnostic_of(is_here ? *one.span.source : elsewhere, one));
+live::Drag drag_of(const json& asked) {
+    const json& pulls = asked.at("pulls");
+    if (!pulls.is_array() || pulls.size() > most_pulls) {
+        throw lsp::Refusal{lsp::invalid_params,
+                           fmt::format("a hand pulls at most {} points", most_pulls)};
     }
+    live::Drag drag;
+    for (const json& one : pulls) {
+        drag.pulls.push_back(pull_of(one));
+    }
+    if (asked.contains("parameters")) {
+        drag.parameters = asked["parameters"].get<std::vector<std::string>>();
+    }
+    if (asked.contains("layer")) {
+        drag.layer = index_of(asked["layer"]);
+    }
+    return drag;
+}
+
+json told_of(const live::Dragged& dragged) {
+    json points = json::array();
+    for (const live::Dragged::Point& one : dragged.points) {
+        points.push_back({{"at", one.at ? json{one.at->x, one.at->y} : json(nullptr)},
+                          {"miss", one.miss},
+                          {"follows", one.follows}});
+    }
+    return {{"change", dragged.change},
+            {"values", told_of(dragged.values)},
+            {"points", std::move(points)},
+            {"diagnostics", told_of(dragged.diagnostics)},
+            {"seconds", dragged.seconds}};
+}
+
+json told_of(const live::CameraState& state) {
     json made{{"change", state.change},
               {"name", state.name},
-              {"diagnostics", std::move(diagnostics)},
+              {"diagnostics", told_of(state.diagnostics)},
               {"open", told_of_parameters(state.open)},
               {"closed", told_of_parameters(state.closed)}};
     if (state.aspect) {

@@ -4,6 +4,9 @@
 
 // A view in the words of the protocol.
 
+#include <cstddef>
+#include <vector>
+
 #include <nlohmann/json_fwd.hpp>
 
 #include "balcony/live.hpp"
@@ -14,9 +17,14 @@ namespace balcony::studio {
 /// form of a change.
 [[nodiscard]] live::Change change_of(const nlohmann::json& asked);
 [[nodiscard]] std::vector<live::Value> values_of(const nlohmann::json& asked);
+[[nodiscard]] live::Drag drag_of(const nlohmann::json& asked);
+[[nodiscard]] std::size_t index_of(const nlohmann::json& asked);
 
-/// The parameters of view/camera and of studio/scene.
+/// Adds the members that limit a number.
+void tell_limits(const camera::Range& limits, nlohmann::json& told);
+/// The parameters of view/camera, of studio/scene and of view/dragged.
 [[nodiscard]] nlohmann::json told_of(const live::CameraState& state);
 [[nodiscard]] nlohmann::json told_of(const live::SceneState& state);
+[[nodiscard]] nlohmann::json told_of(const live::Dragged& dragged);
 
 }  // namespace balcony::studio
