@@ -56,9 +56,10 @@ class Copy:
             run("git", "worktree", "add", "--detach", self.tree, "HEAD")
         run("git", "checkout", "--force", "--detach",
             run("git", "rev-parse", "HEAD").strip(), cwd=self.tree)
-        # A mutant may leave a name unused.
+        # A mutant may leave a name unused, and is one file, which is compiled by itself.
         run("cmake", "--preset", "ci", "-B", "build/mutants", "-DBALCONY_WERROR=OFF",
-            "-DBALCONY_BENCH=OFF", "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG", cwd=self.tree)
+            "-DBALCONY_BENCH=OFF", "-DBALCONY_UNITY=OFF",
+            "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG", cwd=self.tree)
         if not self.builds():
             raise Failure("the tests do not build")
         self.content = self.fingerprint()
