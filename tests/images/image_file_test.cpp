@@ -369,6 +369,35 @@ TEST_F(Images, ACutOrDamagedPngIsRecognised) {
     EXPECT_EQ(reason(ImageFile::open("whole.png", whole)), "opened");
 }
 
+TEST_F(Images, ACutTiffIsRecognised) {
+    const std::vector<std::uint8_t> whole = bytes_of(image("image.tif"));
+    constexpr std::size_t signature = 4;
+    for (std::size_t size = signature; size < whole.size(); ++size) {
+        const auto file = ImageFile::open("cut.tif", std::span(whole).first(size));
+        if (file) {
+            // The pixels alone may stand behind the directory.
+            std::vector<float> rows((*file)->height() * (*file)->width() * (*file)->channels());
+            EXPECT_TRUE((*file)->read_rows(0, (*file)->height(), rows)) << size;
+        } else {
+            EXPECT_EQ(reason(file), "it is truncated or corrupt") << size;
+        }
+    }
+    EXPECT_EQ(reason(ImageFile::open("whole.tif", whole)), "opened");
+}
+
+// The directory of a BigTIFF, and of one whose numbers begin with their highest byte.
+TEST_F(Images, ATiffWhoseValuesAreBeyondItsEndIsRefused) {
+    using namespace std::string_literals;
+    const std::string damaged = "it is truncated or corrupt";
+    const std::string big_tiff = "II+\0\x08\0\0\0"s + little_endian(16, 8) + little_endian(1, 8) +
+                                 little_endian(258, 2) + little_endian(3, 2) + little_endian(5, 8);
+    EXPECT_EQ(reason("a.tif", big_tiff + little_endian(35, 8)), damaged);
+    EXPECT_NE(reason("a.tif", big_tiff + little_endian(34, 8)), damaged);
+    const std::string reversed = "MM\0*\0\0\0\x08\0\x01\x01\x02\0\x03\0\0\0\x03\0\0\0"s;
+    EXPECT_EQ(reason("a.tif", reversed + '\x11'), damaged);
+    EXPECT_NE(reason("a.tif", reversed + '\x10'), damaged);
+}
+
 TEST_F(Images, TilesBeyondReasonAreRefused) {
     // The width of a tile is one tag of the directory, which is where the number 16 stands twice.
     std::vector<std::uint8_t> bytes = bytes_of(image("tiled.tif", 16));

@@ -164,6 +164,42 @@ bool exr_attributes_fit(IOProxy& file) {
     return false;
 }
 
+// TIFF 6.0, section 2, and BigTIFF: whether the first directory, and the values of its entries that
+// do not stand in it, are in the file, because libtiff prints what it misses.
+bool tiff_directory_fits(IOProxy& file) {
+    constexpr std::array<std::size_t, 19> type_sizes{0, 1, 1, 2, 4, 8, 1, 1, 2, 4,
+                                                     8, 4, 8, 4, 0, 0, 8, 8, 8};
+    const std::string header = bytes_at(file, 0, 16);
+    const bool is_big = header.size() == 16 && (header[2] == '+' || header[3] == '+');
+    const auto number = header[0] == 'I' ? little_endian : big_endian;
+    const std::size_t width = is_big ? 8 : 4;  // Of a count or an offset.
+    const std::size_t entry_size = 4 + 2 * width;
+    const std::size_t count_size = is_big ? 8 : 2;
+    const auto fits = [&](std::size_t at, std::size_t count, std::size_t size) {
+        return at <= file.size() && (size == 0 || count <= (file.size() - at) / size);
+    };
+    const std::size_t directory = number(header, is_big ? 8 : 4, width);
+    if (!fits(directory, count_size, 1)) {
+        return false;
+    }
+    const std::size_t entries = number(bytes_at(file, directory, count_size), 0, count_size);
+    if (!fits(directory + count_size, entries, entry_size)) {
+        return false;
+    }
+    for (std::size_t i = 0; i < entries; ++i) {
+        const std::string entry =
+            bytes_at(file, directory + count_size + i * entry_size, entry_size);
+        const std::size_t type = number(entry, 2, 2);
+        const std::size_t size = type < type_sizes.size() ? type_sizes[type] : 0;
+        const std::size_t count = number(entry, 4, width);
+        const bool is_apart = size > 0 && count > width / size;
+        if (is_apart && !fits(number(entry, 4 + width, width), count, size)) {
+            return false;
+        }
+    }
+    return entries > 0;
+}
+
 // Visits all markers up to the start of a frame.
 Size jpeg_size(IOProxy& file) {
     for (std::size_t at = 2; at + 4 <= file.size();) {
@@ -221,7 +257,7 @@ constexpr std::array<ImageFormat, 8> formats{{
     {"jpeg", 64UL * 8, begins_with<jpeg_signature>, jpeg_size, nullptr},
     {"webp", 0, is_webp, webp_size, nullptr},
     {"tiff", 0, begins_with<tiff_little, tiff_big, big_tiff_little, big_tiff_big>, nullptr,
-     nullptr},
+     tiff_directory_fits},
     {"openexr", 0, begins_with<exr_signature>, nullptr, exr_attributes_fit},
     {"hdr", 0, begins_with<hdr_signature>, nullptr, nullptr},
     {"bmp", 0, begins_with<bmp_signature>, bmp_size, nullptr},
