@@ -85,8 +85,11 @@ bool FrameLoop::is_finished(const FrameUnit& unit) {
         if (damage) {
             add_once({warning(fmt::format("frame {}: '{}' is damaged and is rendered again: {}",
                                           unit.frame, file.string(), damage->message))});
+            return false;
         }
-        return !damage;
+        // A process that is killed between the two leaves both.
+        CheckpointFile(file, {}, {}, loaded_.since).remove();
+        return true;
     };
     const auto damage_of_frame = [](const fs::path& file) {
         return why_damaged(file, FramePart::end);
