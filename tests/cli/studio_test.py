@@ -65,8 +65,7 @@ class Messages(StudioTest):
     def test_a_picture_in_motion_is_coarse(self):
         self.open()
         page = self.page().begin()
-        change = page.result("view/change", size=[1600, 1200])["change"]
-        page.wait_for("view/rest", change=change)
+        page.wait_for_frame(page.result("view/change", size=[1600, 1200])["change"])
         # A preview that comes soon takes the place of a coarse frame that has not been sent.
         end = time.monotonic() + 60
         while "coarse" not in (frame["quality"] for frame in page.frames):
