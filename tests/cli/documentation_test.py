@@ -63,7 +63,7 @@ class Documentation(support.CommandTest):
             re.search(r"^```cam\n(camera left .*?)^```", domes, re.MULTILINE | re.DOTALL)[1])
 
     def run_all(self, lines):
-        for words in dict.fromkeys(map(tuple, lines)):
+        for number, words in enumerate(dict.fromkeys(map(tuple, lines))):
             with self.subTest(line=" ".join(words)):
                 # The last option of a kind counts, so these make the page's picture small.
                 size = ("-W", "24") if "-W" in words else ("--size", "24x16")
@@ -72,7 +72,8 @@ class Documentation(support.CommandTest):
                 if words[0] == "merge" and words[1].endswith(".mp4") and not shutil.which("ffmpeg"):
                     continue
                 if words[0] == "animate" or (words[0] == "draw" and "--frames" in words):
-                    small += self.short_film(words)
+                    small += ("--frames", "1-4")
+                    words = self.without_films(words, f"film-{number}.#.png")
                 if words[0] == "lsp":
                     self.serve(*words)
                 elif words[0] == "studio":
@@ -83,11 +84,12 @@ class Documentation(support.CommandTest):
                     self.run_command(*words, *small)
 
     @staticmethod
-    def short_film(words):
-        """The first frames, and a sequence where there is no ffmpeg."""
-        short = ("--frames", "1-4")
-        is_sequence = "#" in words[words.index("-o") + 1]
-        return short if is_sequence or shutil.which("ffmpeg") else (*short, "-o", "film.#.png")
+    def without_films(words, sequence):
+        """A sequence in place of a film where there is no ffmpeg."""
+        output = words.index("-o") + 1
+        if shutil.which("ffmpeg") or "#" in words[output]:
+            return words
+        return (*words[:output], sequence, *words[output + 1:])
 
     def watch(self, *words):
         with self.start(*words) as process:

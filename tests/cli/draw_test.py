@@ -152,6 +152,7 @@ class Draw(support.CommandTest):
         self.refused(*words, "--frames", "4", code=1, says="an animation that is not finished")
         self.assertTrue((frames / "frame.#####.png.animation").exists())
 
+    @unittest.skipUnless(shutil.which("ffmpeg"), "ffmpeg is not installed")
     def test_a_stopped_film_leaves_nothing(self):
         (self.folder / "hang.cam").write_text(
             "camera c { map u = -1e9 .. 1e9, v = -0.5 .. 0.5 eye sphere(1) look normal }")
