@@ -2,11 +2,16 @@
 #
 # Sets a variable to a generated source file that defines studio::page_files(). It has the page of studio/,
 # bundled when its sources have changed, if Node.js and its packages are there (scripts/studio --setup),
-# and no files otherwise: a build downloads nothing.
+# and no files otherwise: a build downloads nothing. The sources of Debian's packages have the file itself
+# (scripts/package).
 function(balcony_studio_page variable)
     set(page "${PROJECT_SOURCE_DIR}/studio")
     set(source "${PROJECT_BINARY_DIR}/studio/page_files.cpp")
     set(${variable} "${source}" PARENT_SCOPE)
+    if(EXISTS "${page}/page_files.cpp")
+        configure_file("${page}/page_files.cpp" "${source}" COPYONLY)
+        return()
+    endif()
     find_program(BALCONY_NODE node)
     mark_as_advanced(BALCONY_NODE)
     set(packages "${page}/node_modules/.package-lock.json")

@@ -1,12 +1,14 @@
 # Balcony: rendering through extended cameras.
 # SPDX-License-Identifier: Apache-2.0
-"""Usage: list_contents.py VERSION DATE [LIBRARY...]
+"""Usage: list_contents.py [--page LICENCES] VERSION DATE [LIBRARY...]
 
 Prints what a program built from these sources contains, as an SPDX 2.3 document (JSON): Balcony, the
-libraries that NOTICE names, and the Debian packages of further libraries that travel with it. Their
-versions are those of the packages that are installed. DATE is in seconds since 1970.
+libraries that NOTICE names, the Debian packages of further libraries that travel with it, and, with
+licences.txt of the page of the studio, the packages of npm that it names. The versions of Debian's are
+those that are installed. DATE is in seconds since 1970.
 """
 
+import argparse
 import datetime
 import json
 import re
@@ -56,16 +58,35 @@ def described(name, licence):
             "licenseComments": f"/usr/share/doc/{name}/copyright", "copyrightText": "NOASSERTION"}
 
 
+def packages_of_page(licences):
+    """The packages of npm in the page of the studio, as SPDX has them."""
+    for name, version, licence in re.findall(r"^(@?[a-z0-9/_.-]+) (\d+\.\d\S*): (\S+)$",
+                                             Path(licences).read_text(), re.MULTILINE):
+        archive = f"{name.split('/')[-1]}-{version}.tgz"
+        yield {"SPDXID": f"SPDXRef-npm{re.sub('[^A-Za-z0-9.]', '-', f'-{name}')}", "name": name,
+               "versionInfo": version, "supplier": "NOASSERTION",
+               "downloadLocation": f"https://registry.npmjs.org/{name}/-/{archive}",
+               "filesAnalyzed": False, "licenseConcluded": licence, "licenseDeclared": licence,
+               "copyrightText": "NOASSERTION"}
+
+
 def main():
-    version, date, libraries = sys.argv[1], int(sys.argv[2]), sys.argv[3:]
+    options = argparse.ArgumentParser()
+    options.add_argument("--page")
+    options.add_argument("version")
+    options.add_argument("date", type=int)
+    options.add_argument("libraries", nargs="*")
+    given = options.parse_args()
+    version, date = given.version, given.date
     licences = dict(rows_of_notice())
-    others = packages_of(libraries) - set(licences)
+    others = packages_of(given.libraries) - set(licences)
     balcony = {"SPDXID": "SPDXRef-balcony", "name": "balcony", "versionInfo": version,
                "downloadLocation": "NOASSERTION", "filesAnalyzed": False,
                "licenseConcluded": "Apache-2.0", "licenseDeclared": "Apache-2.0",
                "copyrightText": "NOASSERTION"}
     parts = ([described(name, licence) for name, licence in licences.items()]
-             + [described(name, "NOASSERTION") for name in sorted(others)])
+             + [described(name, "NOASSERTION") for name in sorted(others)]
+             + list(packages_of_page(given.page) if given.page else ()))
     made = datetime.datetime.fromtimestamp(date, datetime.timezone.utc)
     relations = [{"spdxElementId": "SPDXRef-DOCUMENT", "relationshipType": "DESCRIBES",
                   "relatedSpdxElement": "SPDXRef-balcony"}]

@@ -6,6 +6,7 @@ import json
 import re
 import subprocess
 import sys
+import tempfile
 import unittest
 from pathlib import Path
 
@@ -40,6 +41,21 @@ class Contents(unittest.TestCase):
         self.assertRegex(libc["versionInfo"], r"^2\.\d+")
         self.assertEqual(libc["licenseDeclared"], "NOASSERTION")
         self.assertRegex(libc["downloadLocation"], r"/glibc/2\.\d+\S*/$")
+
+    def test_packages_of_the_page_are_listed(self):
+        with tempfile.NamedTemporaryFile("w") as file:
+            file.write("The page contains these.\n\n---\n\n@codemirror/view 6.43.15: MIT\n\nMIT License\n"
+                       "\nYear 2018: all rights\n\n---\n\nlit 3.3.3: BSD-3-Clause\n\nBSD 3 Clause\n")
+            file.flush()
+            run = self.run_with("--page", file.name)
+        parts = [part for part in json.loads(run.stdout)["packages"]
+                 if part["SPDXID"].startswith("SPDXRef-npm")]
+        self.assertEqual([(part["name"], part["versionInfo"], part["licenseDeclared"],
+                           part["downloadLocation"]) for part in parts],
+                         [("@codemirror/view", "6.43.15", "MIT",
+                           "https://registry.npmjs.org/@codemirror/view/-/view-6.43.15.tgz"),
+                          ("lit", "3.3.3", "BSD-3-Clause",
+                           "https://registry.npmjs.org/lit/-/lit-3.3.3.tgz")])
 
     def test_a_library_of_no_package(self):
         run = self.run_with(__file__)
