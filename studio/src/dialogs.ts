@@ -62,7 +62,7 @@ export async function confirm(title: string, words: string, action: string): Pro
 
 const keys: [string, string][] = [
     ["Ctrl+S", "save the file"],
-    ["Alt+1, Alt+2", "go to the text, to the sliders"],
+    ["Alt+1, Alt+2, Alt+3", "go to the text, to the sliders, to the handles on the picture"],
     ["Ctrl+Z, Ctrl+Y", "undo, redo, also what a slider has changed"],
     ["Ctrl and the mouse", "drag a number of the text; with Shift, ten times as far"],
     ["Ctrl+Space", "show what can stand at the cursor"],
@@ -71,7 +71,7 @@ const keys: [string, string][] = [
     ["F12", "go to where a name is declared"],
     ["Shift+Alt+F", "format the text"],
     ["Ctrl+F", "find and replace"],
-    ["arrows on a slider", "move it by a step"],
+    ["arrows", "move a slider by a step, a handle by a pixel; with Shift, a handle by ten"],
 ];
 
 export async function showKeys(): Promise<void> {

@@ -23,6 +23,7 @@ import { type KnownValue, knownValues, setKnownValues } from "./known_values";
 import { cameraColours, cameraIndent, cameraLanguage } from "./language";
 import { type Ask, changesOf, completions, help, offsetOf, positionOf, type Problem } from "./language_server";
 import { numberDrag } from "./number_drag";
+import { OneStep } from "./one_step";
 import type { Position, TextEdit } from "./protocol";
 import { signatureHelp } from "./signature_help";
 import { wrappedLines } from "./wrapped_lines";
@@ -47,6 +48,7 @@ export class CameraEditor extends LitElement {
     `;
 
     private view: EditorView | null = null;
+    private step: OneStep | null = null;
     private actions: EditorActions | null = null;
 
     override render() {
@@ -67,6 +69,7 @@ export class CameraEditor extends LitElement {
             root: this.renderRoot as ShadowRoot,
             state: EditorState.create({ doc: text, extensions: this.extensions(isReadOnly, actions) }),
         });
+        this.step = new OneStep(this.view);
     }
 
     private extensions(isReadOnly: boolean, actions: EditorActions) {
@@ -126,8 +129,18 @@ export class CameraEditor extends LitElement {
         if (this.view && edits.length > 0) this.change(changesOf(this.view.state.doc, edits));
     }
 
+    /** Makes edits on the way of a hand, all of which are one step of undo when it is released. */
+    hold(edits: TextEdit[]): void {
+        if (edits.length > 0) this.step?.change(changesOf(this.document, edits));
+    }
+
+    release(): void {
+        this.step?.end();
+    }
+
     /** Shows what was changed elsewhere, which undo leaves as it is. */
     take(changes: ChangeSet): void {
+        this.release();
         this.view?.dispatch({
             changes,
             annotations: [fromElsewhere.of(true), Transaction.addToHistory.of(false)],

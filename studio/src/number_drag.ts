@@ -3,9 +3,9 @@
 
 // A number of the text is dragged with Ctrl held: to the right it grows. The whole way is one step of undo.
 
-import { isolateHistory } from "@codemirror/commands";
-import { type Extension, Transaction } from "@codemirror/state";
+import type { Extension } from "@codemirror/state";
 import { EditorView } from "@codemirror/view";
+import { OneStep } from "./one_step";
 import { rounded } from "./parameter_range";
 
 const number = /(?<!\w)(?<!(?<!\.)\.)(\d+(?:\.(?!\.)\d*)?|\.\d+)(?:[eE][+-]?\d+)?/g;
@@ -18,6 +18,10 @@ export interface DraggedNumber {
     step: number;
 }
 
+/** By how much a pixel of a hand changes a number: by its third digit. */
+export const handStep = (value: number): number =>
+    10 ** (Math.floor(Math.log10(Math.max(Math.abs(value), 0.1))) - 2);
+
 /** The number of a line at an offset of it; a sign before it that is no difference belongs to it. */
 export function numberAt(line: string, offset: number): DraggedNumber | null {
     for (const match of line.matchAll(number)) {
@@ -26,8 +30,7 @@ export function numberAt(line: string, offset: number): DraggedNumber | null {
         const isNegative = /(^|[(,=[]|\.\.)\s*-$/.test(line.slice(0, match.index));
         const from = match.index - (isNegative ? 1 : 0);
         const value = Number(line.slice(from, to));
-        const digits = Math.floor(Math.log10(Math.max(Math.abs(value), 0.1)));
-        return { from, to, value, step: 10 ** (digits - 2) };
+        return { from, to, value, step: handStep(value) };
     }
     return null;
 }
@@ -40,28 +43,19 @@ function drag(view: EditorView, begin: MouseEvent): boolean {
     if (!found) return false;
     const from = line.from + found.from;
     const written = line.text.slice(found.from, found.to);
+    const step = new OneStep(view);
     let shown = written;
     const move = (event: MouseEvent): void => {
-        const step = found.step * (event.shiftKey ? 10 : 1);
-        const text = String(rounded(found.value + step * Math.round(event.clientX - begin.clientX), found.step));
+        const size = found.step * (event.shiftKey ? 10 : 1);
+        const text = String(rounded(found.value + size * Math.round(event.clientX - begin.clientX), found.step));
         if (text === shown) return;
-        const changes = { from, to: from + shown.length, insert: text };
+        step.change({ from, to: from + shown.length, insert: text });
         shown = text;
-        view.dispatch({ changes, annotations: Transaction.addToHistory.of(false) });
     };
     const end = (): void => {
         removeEventListener("mousemove", move);
         removeEventListener("mouseup", end);
-        if (shown === written) return;
-        const back = view.state.update({
-            changes: { from, to: from + shown.length, insert: written },
-            annotations: Transaction.addToHistory.of(false),
-        });
-        const again = back.state.update({
-            changes: { from, to: from + written.length, insert: shown },
-            annotations: isolateHistory.of("full"),
-        });
-        view.update([back, again]);
+        step.end();
     };
     addEventListener("mousemove", move);
     addEventListener("mouseup", end);

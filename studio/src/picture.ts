@@ -29,6 +29,7 @@ export class LivePicture extends LitElement {
         isBusy: { type: Boolean },
         label: {},
         ratio: { type: Number },
+        over: { attribute: false },
     };
     declare problem: Problem | null;
     /** What is waited for, or why there is no picture; nothing if there is one. */
@@ -37,6 +38,8 @@ export class LivePicture extends LitElement {
     declare label: string;
     /** Width / height of the picture at rest; a coarse one may differ by a pixel. */
     declare ratio: number;
+    /** What stands over the picture, in the same size. */
+    declare over: unknown;
     /** Makes a mistake go away, or shows it. */
     onfix: (problem: Problem, fix: number) => void = () => {};
     onplace: (problem: Problem) => void = () => {};
@@ -51,6 +54,7 @@ export class LivePicture extends LitElement {
         this.isBusy = true;
         this.label = "";
         this.ratio = 16 / 9;
+        this.over = nothing;
     }
 
     /** The style sheet of the page holds for it. */
@@ -96,6 +100,7 @@ export class LivePicture extends LitElement {
         return html`
             <div class="frame ${problem ? "stale" : ""} ${this.hasPicture ? "" : "empty"}">
                 <canvas role="img" aria-label=${this.label} width="16" height="9"></canvas>
+                ${this.over}
             </div>
             ${problem ? this.message(problem) : nothing}
             ${this.waiting && !problem

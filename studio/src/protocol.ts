@@ -54,6 +54,8 @@ export interface About {
     scene: string;
     readOnly: boolean;
     size: [number, number];
+    /** What the server can do beyond text and view. */
+    requests?: string[];
 }
 
 /** A number of the camera. Angles are in radians. */
@@ -105,6 +107,54 @@ export interface FrameHead {
 export interface SceneState {
     state: "loading" | "ready" | "failed";
     message?: string;
+}
+
+export type HandleKind =
+    | "number"
+    | "size"
+    | "count"
+    | "angle"
+    | "interval"
+    | "parameter_point"
+    | "picture_point"
+    | "picture_region"
+    | "space_point"
+    | "direction";
+
+export interface HandleNumber {
+    value: number;
+    angle: boolean;
+    moves: boolean;
+    min?: number;
+    max?: number;
+    /** The parameter of the camera that it is made of. */
+    parameter?: string;
+    range: Range | null;
+}
+
+/** What a hand can move of the text. */
+export interface Handle {
+    kind: HandleKind;
+    statement: string;
+    stage: string;
+    parameter: string;
+    index: number;
+    meaning: string;
+    range: Range | null;
+    numbers: HandleNumber[];
+}
+
+/** Another value for a number of a handle; `step` is what a pixel of the hand is. */
+export interface HandleMove {
+    number: number;
+    value: number;
+    step: number;
+}
+
+/** Edits of a version of the text. */
+export interface EditsOfText {
+    edits: TextEdit[];
+    version: number;
 }
 
 export interface NewText {

@@ -5,6 +5,7 @@
 
 import type { ChangeSet, Text } from "@codemirror/state";
 import { Connection, type Listener, Lost } from "./connection";
+import { isSame } from "./handle_marks";
 import type { KnownValue } from "./known_values";
 import { namesIn, positionOf, type Problem, problemsOf, SymbolKind } from "./language_server";
 import { Latency } from "./latency";
@@ -13,8 +14,11 @@ import {
     type CameraState,
     type CodeAction,
     type DocumentSymbol,
+    type EditsOfText,
     type FileDiagnostic,
     type FrameHead,
+    type Handle,
+    type HandleMove,
     type NewText,
     type Parameter,
     type ParameterValue,
@@ -52,6 +56,8 @@ export class Session implements Listener {
     /** The last one without errors, whose picture is shown. */
     camera: CameraState | null = null;
     private symbols: DocumentSymbol[] = [];
+    /** Of the camera that is chosen, in the text that the server has. */
+    handles: Handle[] = [];
     /** By its name in the file; the last one if empty. */
     chosen = "";
     shown: FrameHead | null = null;
@@ -88,6 +94,11 @@ export class Session implements Listener {
     /** What keeps the picture from following, or null. */
     get error(): Problem | null {
         return this.problems.find(({ severity }) => severity === "error") ?? null;
+    }
+
+    /** Whether the server has a request. */
+    can(request: string): boolean {
+        return this.about?.requests?.includes(request) ?? false;
     }
 
     /** Whether the server has the text of the editor. */
@@ -143,7 +154,7 @@ export class Session implements Listener {
         if (before) this.goOn(before, studio);
         else this.begin(studio);
         this.page.changed();
-        await this.findNames();
+        await this.learn();
         this.findValuesSoon();
     }
 
@@ -187,6 +198,7 @@ export class Session implements Listener {
         "studio/text": ({ version, text }: NewText) => {
             const changes = this.text.told(version, text);
             if (changes) this.page.take(changes);
+            this.learn().catch(() => {}); // Of a lost connection: it is asked for again.
             this.findValuesSoon();
         },
         "studio/saved": ({ version }: { version: number }) => void this.wasSaved(version),
@@ -228,7 +240,13 @@ export class Session implements Listener {
             textDocument: { uri: this.about!.uri, version },
             contentChanges: [{ text }],
         });
+        await this.learn();
+    }
+
+    /** What stands in the text that the server has. */
+    private async learn(): Promise<void> {
         await this.findNames();
+        await this.findHandles();
     }
 
     private async findNames(): Promise<void> {
@@ -236,6 +254,18 @@ export class Session implements Listener {
             textDocument: { uri: this.about!.uri },
         });
         this.symbols = symbols;
+        this.page.changed();
+    }
+
+    async findHandles(): Promise<void> {
+        if (!this.can("handles") || this.about!.readOnly) return;
+        try {
+            const asked = { camera: this.chosen };
+            this.handles = (await this.connection.request<{ handles: Handle[] }>("handles", asked)).handles;
+        } catch (failure) {
+            if (failure instanceof Lost) throw failure;
+            this.handles = []; // The text has no such camera, which is said by its mistakes.
+        }
         this.page.changed();
     }
 
@@ -287,6 +317,7 @@ export class Session implements Listener {
         if (change.size) this.size = change.size;
         if (change.camera !== undefined) this.chosen = change.camera;
         if (this.link !== "open") return;
+        if (change.camera !== undefined) this.findHandles().catch(() => {}); // Of a lost connection.
         this.isAtRest = false;
         const number = this.connection.request<{ change: number }>("view/change", change);
         // A new size or camera is not what a hand waits for.
@@ -294,18 +325,29 @@ export class Session implements Listener {
         else number.catch(() => {}); // Of a lost connection.
     }
 
-    /** Writes values into the text, as one step of undo. */
-    async write(values: ParameterValue[]): Promise<void> {
+    /** Edits of the text as it is when they are made. */
+    private async editsOf(method: string, asked: () => object): Promise<TextEdit[]> {
         for (;;) {
             await this.text.whenSettled();
-            const made = await this.connection.request<{ edits: TextEdit[]; version: number }>("text/set", { values });
+            const made = await this.connection.request<EditsOfText>(method, asked());
             // Otherwise something was typed meanwhile, and the edits are not of this text.
-            if (this.text.isSettled && made.version === this.text.version) {
-                this.page.edit(made.edits);
-                await this.text.whenSettled();
-                return;
-            }
+            if (this.text.isSettled && made.version === this.text.version) return made.edits;
         }
+    }
+
+    /** Writes values into the text, as one step of undo. */
+    async write(values: ParameterValue[]): Promise<void> {
+        this.page.edit(await this.editsOf("text/set", () => ({ values })));
+        await this.text.whenSettled();
+    }
+
+    /** The edits that move a handle, which had an index in a text before. */
+    moved(index: number, before: Handle, moves: HandleMove[]): Promise<TextEdit[]> {
+        return this.editsOf("handles/move", () => {
+            const handle = this.handles[index];
+            if (!handle || !isSame(handle, before)) throw new Error("The text has changed under the hand.");
+            return { camera: this.chosen, handle, moves };
+        });
     }
 
     // The file.

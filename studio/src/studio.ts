@@ -4,14 +4,17 @@
 // The page: its parts, and what each of them tells the others.
 
 import { type ChangeSet, Text } from "@codemirror/state";
-import { html, LitElement } from "lit";
+import { html, LitElement, nothing } from "lit";
 import { Refusal } from "./connection";
 import { askForSize, confirm, showKeys } from "./dialogs";
 import type { CameraEditor } from "./editor";
 import "./editor";
+import { HandleHand } from "./handle_hand";
 import type { Problem } from "./language_server";
 import type { LivePicture } from "./picture";
 import "./picture";
+import type { PictureHandles } from "./picture_handles";
+import "./picture_handles";
 import { choiceOf, sizeOf, type SizeChoice } from "./picture_size";
 import { problemList } from "./problem_list";
 import { type About, type FrameHead, type ParameterValue, Refused } from "./protocol";
@@ -19,6 +22,7 @@ import { failureOf, type Page, Session } from "./session";
 import type { ParameterSliders } from "./sliders";
 import "./sliders";
 import { splitter } from "./splitter";
+import "./stage_numbers";
 import { wordsOf } from "./state_words";
 import { chooseTheme, chosenTheme, showTheme } from "./theme";
 import { toolbar, type ToolbarActions } from "./toolbar";
@@ -32,6 +36,13 @@ export class BalconyStudio extends LitElement implements Page {
     private pixels: [number, number] = [0, 0];
     private notice: { words: string; isMistake: boolean } | null = null;
     private noticeTimer = 0;
+    private hasHandles = true;
+    private readonly hand = new HandleHand({
+        edits: (index, handle, moves) => this.session.moved(index, handle, moves),
+        hold: (edits) => this.editor.hold(edits),
+        release: () => this.editor.release(),
+        failed: (why) => this.sayFailure(why),
+    });
 
     override createRenderRoot() {
         return this;
@@ -138,6 +149,10 @@ export class BalconyStudio extends LitElement implements Page {
             chooseTheme(theme);
             this.changed();
         },
+        handles: () => {
+            this.hasHandles = !this.hasHandles;
+            this.changed();
+        },
         keys: () => void showKeys(),
     };
 
@@ -149,9 +164,11 @@ export class BalconyStudio extends LitElement implements Page {
               ? () => this.editor.focus()
               : event.altKey && event.key === "2"
                 ? () => this.sliders.querySelector("input")?.focus()
-                : event.key === "F1"
-                  ? this.actions.keys
-                  : this.undoKey(event, control);
+                : event.altKey && event.key === "3"
+                  ? () => this.querySelector<PictureHandles>("picture-handles")?.focusFirst()
+                  : event.key === "F1"
+                    ? this.actions.keys
+                    : this.undoKey(event, control);
         if (!act || document.querySelector("dialog[open]")) return;
         event.preventDefault();
         event.stopPropagation();
@@ -168,10 +185,12 @@ export class BalconyStudio extends LitElement implements Page {
     }
 
     private attempt(action: Promise<unknown>): void {
-        action.catch((failure: unknown) => {
-            const words = failureOf(failure);
-            if (words) this.say(words, true);
-        });
+        action.catch((failure: unknown) => this.sayFailure(failure));
+    }
+
+    private sayFailure(failure: unknown): void {
+        const words = failureOf(failure);
+        if (words) this.say(words, true);
     }
 
     private mend(problem: Problem, fix: number): void {
@@ -227,6 +246,12 @@ export class BalconyStudio extends LitElement implements Page {
         if (this.session.camera) this.fit();
     }
 
+    private over() {
+        const { handles } = this.session;
+        if (!this.hasHandles || handles.length === 0) return nothing;
+        return html`<picture-handles .handles=${handles} .pixels=${this.pixels} .hand=${this.hand}></picture-handles>`;
+    }
+
     override render() {
         const { session } = this;
         const words = wordsOf(session.doing);
@@ -234,7 +259,10 @@ export class BalconyStudio extends LitElement implements Page {
         const follows = latency.typical;
         const go = ({ from, to }: Problem): void => this.editor.goTo(from, to);
         return html`
-            ${toolbar({ session, size: this.size, pixels: this.pixels, theme: chosenTheme() }, this.actions)}
+            ${toolbar(
+                { session, size: this.size, pixels: this.pixels, theme: chosenTheme(), hasHandles: this.hasHandles },
+                this.actions,
+            )}
             <main>
                 <section class="seen" aria-label="Picture">
                     <live-picture
@@ -243,6 +271,7 @@ export class BalconyStudio extends LitElement implements Page {
                         .isBusy=${words.kind === "busy"}
                         .ratio=${this.pixels[1] > 0 ? this.pixels[0] / this.pixels[1] : 16 / 9}
                         .label="Picture of the camera ${camera?.name ?? ""}"
+                        .over=${this.over()}
                     ></live-picture>
                     <div class="status ${words.kind}">
                         <span class="dot"></span>
@@ -254,6 +283,14 @@ export class BalconyStudio extends LitElement implements Page {
                         </span>
                         <span class="quiet">${this.pixels[0]} × ${this.pixels[1]}</span>
                     </div>
+                    ${this.hasHandles && session.handles.length > 0
+                        ? html`<stage-numbers
+                              .handles=${session.handles}
+                              .sliders=${new Set(session.parameters.map(({ name }) => name))}
+                              .pixels=${this.pixels}
+                              .hand=${this.hand}
+                          ></stage-numbers>`
+                        : nothing}
                     <parameter-sliders
                         aria-label="Numbers of the camera"
                         .parameters=${session.parameters}

@@ -17,6 +17,8 @@ export interface ToolbarActions {
     expose(): void;
     format(): void;
     theme(theme: Theme): void;
+    /** Shows or hides them. */
+    handles(): void;
     keys(): void;
 }
 
@@ -112,9 +114,10 @@ export interface Shown {
     size: SizeChoice;
     pixels: [number, number];
     theme: Theme;
+    hasHandles: boolean;
 }
 
-export function toolbar({ session, size, pixels, theme }: Shown, actions: ToolbarActions) {
+export function toolbar({ session, size, pixels, theme, hasHandles }: Shown, actions: ToolbarActions) {
     const { about } = session;
     const unsaved = about !== null && !about.readOnly && !session.isSaved;
     return html`
@@ -127,6 +130,16 @@ export function toolbar({ session, size, pixels, theme }: Shown, actions: Toolba
             </span>
             ${cameraChoice(session, actions)} ${sizeChoice(size, pixels, actions)}
             <span class="space"></span>
+            ${session.can("handles") && !about?.readOnly
+                ? html`<button
+                      id="handles"
+                      aria-pressed=${hasHandles}
+                      title="Show what a hand can move on the picture"
+                      @click=${actions.handles}
+                  >
+                      Handles
+                  </button>`
+                : nothing}
             <button id="save" ?disabled=${!unsaved} title="Save the file (Ctrl+S)" @click=${actions.save}>Save</button>
             ${menu(theme, actions)}
         </header>

@@ -3,6 +3,7 @@
 
 // A server of the studio, and pages of it in a browser.
 
+import assert from "node:assert/strict";
 import { execFileSync, spawn } from "node:child_process";
 import { once } from "node:events";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
@@ -10,10 +11,15 @@ import { createServer } from "node:net";
 import { tmpdir } from "node:os";
 import { dirname, join } from "node:path";
 import { createInterface } from "node:readline";
+import { after, afterEach, beforeEach } from "node:test";
 import { fileURLToPath } from "node:url";
 import { chromium } from "../../studio/node_modules/playwright-core/index.mjs";
 
-export const patience = 30_000;
+export const patience = Number(process.env.PATIENCE ?? 30_000);
+
+const repository = join(dirname(fileURLToPath(import.meta.url)), "../..");
+/** The text of plate 2's camera. */
+export const plateCamera = readFileSync(join(repository, "plates/02-superelliptic/camera.cam"), "utf8");
 
 /** With comments behind numbers, a camera of 9 numbers that all move, and a second camera. */
 export const text = `// A second camera.
@@ -36,11 +42,7 @@ camera walls(a = 4.5 above 0, /* half its length */ b = 2.5 above 0, // half its
 }
 `;
 
-const repository = join(dirname(fileURLToPath(import.meta.url)), "../..");
-/** The text of plate 2's camera. */
-export const plateCamera = readFileSync(join(repository, "plates/02-superelliptic/camera.cam"), "utf8");
-
-export const folder = mkdtempSync(join(tmpdir(), "balcony-studio-"));
+const folder = mkdtempSync(join(tmpdir(), "balcony-studio-"));
 export const cameraFile = join(folder, "my camera.cam");
 const scene = join(folder, "gallery.glb");
 const tokenFile = join(folder, "token");
@@ -88,7 +90,7 @@ const browser = await chromium.launch({
 });
 
 /** What went wrong in any page. A connection that is lost is told as an error of the network. */
-export const complaints = [];
+const complaints = [];
 
 export class Page {
     static async open(address, options = {}) {
@@ -180,6 +182,15 @@ export class Page {
         await this.untilText(after);
     }
 
+    /** Drags from the middle of an element by pixels of the screen, in steps; does not let go. */
+    async pull(element, by, steps = 5) {
+        const { x, y, width, height } = await element.boundingBox();
+        const [x0, y0] = [x + width / 2, y + height / 2];
+        await this.tab.mouse.move(x0, y0);
+        await this.tab.mouse.down();
+        for (let i = 1; i <= steps; ++i) await this.tab.mouse.move(x0 + (by[0] * i) / steps, y0 + (by[1] * i) / steps);
+    }
+
     /** Drags the slider of a parameter from one part of its width to another, in steps; does not let go. */
     async drag(parameter, from, to, steps, pause = 0) {
         const { x, y, width, height } = await this.tab.locator(`#parameter-${parameter}`).boundingBox();
@@ -193,11 +204,30 @@ export class Page {
     }
 }
 
-export function reset() {
-    writeFileSync(cameraFile, text);
-}
-
-export async function finish() {
-    await browser.close();
-    rmSync(folder, { recursive: true });
+/** What the tests of a file have: each a server of its own, which begins with the text. */
+export function serverOf(text) {
+    const made = {
+        server: null,
+        pages: [],
+        async open(options) {
+            const page = await Page.open(made.server.address, options);
+            made.pages.push(page);
+            await page.untilFollowed();
+            return page;
+        },
+    };
+    beforeEach(async () => {
+        writeFileSync(cameraFile, text);
+        made.server = await Server.start();
+    });
+    afterEach(async () => {
+        for (const page of made.pages.splice(0)) await page.close();
+        await made.server.stop();
+        assert.deepEqual(complaints.splice(0), []);
+    });
+    after(async () => {
+        await browser.close();
+        rmSync(folder, { recursive: true });
+    });
+    return made;
 }

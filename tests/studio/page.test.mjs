@@ -5,32 +5,11 @@
 
 import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";
-import { after, afterEach, beforeEach, test } from "node:test";
-import { cameraFile, complaints, finish, Page, plateCamera, reset, Server, text } from "./harness.mjs";
+import { test } from "node:test";
+import { cameraFile, Page, plateCamera, Server, serverOf, text } from "./harness.mjs";
 
-let server = null;
-let pages = [];
-
-async function open(options) {
-    const page = await Page.open(server.address, options);
-    pages.push(page);
-    await page.untilFollowed();
-    return page;
-}
-
-beforeEach(async () => {
-    reset();
-    server = await Server.start();
-});
-
-afterEach(async () => {
-    for (const page of pages) await page.close();
-    pages = [];
-    await server.stop();
-    assert.deepEqual(complaints.splice(0), []);
-});
-
-after(finish);
+const studio = serverOf(text);
+const open = (options) => studio.open(options);
 
 test("the picture follows the text", async () => {
     const page = await open();
@@ -166,12 +145,12 @@ test("a restarted server gets the text, and nothing that was typed is lost", asy
     const page = await open();
     await page.type("gamma = 0.25", "gamma = 0.5");
     await page.untilFollowed();
-    await server.stop();
+    await studio.server.stop();
     await page.until(({ session }) => session.link === "lost");
     assert.match(await page.state(), /Connection lost/);
     await page.type("gamma = 0.5", "gamma = 0.75");
     const typed = text.replace("gamma = 0.25", "gamma = 0.75");
-    server = await Server.start();
+    studio.server = await Server.start();
     await page.until(({ session }) => session.link === "open");
     await page.untilFollowed();
     assert.equal(await page.text(), typed);
@@ -210,8 +189,8 @@ test("another camera of the file", async () => {
 });
 
 test("with a wrong token the page says what to do", async () => {
-    const page = await Page.open(server.address.replace(/token=..../, "token=0000"));
-    pages.push(page);
+    const page = await Page.open(studio.server.address.replace(/token=..../, "token=0000"));
+    studio.pages.push(page);
     await page.tab.getByText("The server does not know this page").first().waitFor();
 });
 

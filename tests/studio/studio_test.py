@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs the tests of the studio's page, which are programs of Node.js.
 
-Usage: studio_test.py types|parts|page REPOSITORY BALCONY BUILD_SCENE
+Usage: studio_test.py types|parts|handles|page REPOSITORY BALCONY BUILD_SCENE
 """
 
 import os
@@ -29,7 +29,7 @@ if not node:
     skip("no Node.js", "scripts/setup studio")
 if not (repository / "studio/node_modules/.package-lock.json").exists():
     skip("no packages of the page", "scripts/studio --setup")
-if test == "page" and not browser:
+if test not in ("types", "parts") and not browser:
     skip("no browser", "scripts/setup guides")
 if test == "types":
     sys.exit(subprocess.run([node, repository / "studio/node_modules/typescript/bin/tsc", "--noEmit",
