@@ -41,6 +41,15 @@ struct Change {
     std::optional<Drag> drag{};
 };
 
+/// What is shown once changes are made.
+struct Shown {
+    std::uint64_t change = 0;  ///< The number of the last one.
+    std::string text{};
+    std::string camera{};         ///< In the text; its last one if empty.
+    std::vector<Value> values{};  ///< With those that follow a drag.
+    std::array<std::size_t, 2> size{};
+};
+
 /// How a picture is made, from the first answer to the last.
 enum class Quality : std::uint8_t {
     coarse,    ///< A preview of fewer pixels.
@@ -123,6 +132,11 @@ public:
 
     /// Shows something else. Returns the number of the change, from 1. Numbers rise.
     std::uint64_t change(Change change);
+
+    /// What it shows: the newest change that has a camera; nothing before the first one.
+    [[nodiscard]] std::optional<Shown> shown() const;
+    /// Its scene for another thread; nothing before it is loaded, or if that fails.
+    [[nodiscard]] std::optional<app::PreparedScene> scene() const;
 
 private:
     struct State;

@@ -8,7 +8,9 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <stop_token>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -33,12 +35,15 @@ public:
     PreparedScene& operator=(PreparedScene&&) noexcept;
     ~PreparedScene();
 
-    /// A picture of a camera file with all parameters open that can be, placed in the scene as the
-    /// request says. The scene is made ready for the times of its rays.
-    [[nodiscard]] Result<lang::OpenPicture> picture(const lang::CameraSource& source,
-                                                    std::string_view name,
-                                                    const std::vector<lang::Override>& values,
-                                                    const std::stop_token& stop = {});
+    /// The same scene for another thread: shares all that does not move.
+    [[nodiscard]] PreparedScene share() const;
+
+    /// A picture of a camera file with these parameters open, or all that can be without a list,
+    /// placed in the scene as the request says. The scene is made ready for the times of its rays.
+    [[nodiscard]] Result<lang::OpenPicture> picture(
+        const lang::CameraSource& source, std::string_view name,
+        const std::vector<lang::Override>& values, const std::stop_token& stop = {},
+        const std::optional<std::vector<std::string>>& open = {});
 
     /// The exposure that suits a picture in this integrator's light: that of the request, if it
     /// names one.

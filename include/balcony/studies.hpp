@@ -11,6 +11,7 @@
 // Cameras are named as in Request::camera, but not those of a scene, unless it says so. A stop ends
 // each of these with an error of Kind::interrupted.
 
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <functional>
@@ -30,6 +31,8 @@
 #include "balcony/scene.hpp"
 
 namespace balcony::app {
+
+class PreparedScene;
 
 // --------------------------------------------------------------------------------------- check
 
@@ -160,6 +163,11 @@ class LocateSession {
 public:
     /// The points of the request are not used.
     [[nodiscard]] static Result<LocateSession> make(const LocateRequest& request,
+                                                    const std::stop_token& stop = {});
+    /// A picture of a size in pixels in a scene. Points are in the axes of the scene.
+    [[nodiscard]] static Result<LocateSession> make(const camera::Picture& picture,
+                                                    const PreparedScene& scene,
+                                                    const std::array<std::size_t, 2>& size,
                                                     const std::stop_token& stop = {});
     LocateSession(LocateSession&&) noexcept;
     LocateSession& operator=(LocateSession&&) noexcept;

@@ -10,19 +10,38 @@
 
 namespace balcony::live {
 
-bool MovingJob::make(const render::Renderer& renderer, const camera::Picture& picture,
-                     const render::Settings& settings, const render::FilmLayout& layout,
-                     const std::stop_token& stop, Diagnostics& found) {
+namespace {
+
+std::shared_ptr<render::Film> film_of(const render::FilmLayout& layout, Diagnostics& found) {
     Result<render::Film> film = render::make_film(layout);
     if (!film) {
         found = std::move(film.diagnostics);
-        return false;
+        return nullptr;
     }
-    Result<render::Job> made = render::Job::make(
-        renderer, picture, settings, std::make_shared<render::Film>(std::move(*film)), stop);
+    return std::make_shared<render::Film>(std::move(*film));
+}
+
+}  // namespace
+
+bool MovingJob::take(Result<render::Job> made, Diagnostics& found) {
     found.insert(found.end(), made.diagnostics.begin(), made.diagnostics.end());
     job_ = std::move(made.value);
     return job_.has_value();
+}
+
+bool MovingJob::make(const render::Renderer& renderer, const camera::Picture& picture,
+                     const render::Settings& settings, const render::FilmLayout& layout,
+                     const std::stop_token& stop, Diagnostics& found) {
+    std::shared_ptr<render::Film> film = film_of(layout, found);
+    return film &&
+           take(render::Job::make(renderer, picture, settings, std::move(film), stop), found);
+}
+
+bool MovingJob::make_again(const render::Renderer& renderer, const render::Settings& settings,
+                           const render::FilmLayout& layout, const std::stop_token& stop,
+                           Diagnostics& found) {
+    std::shared_ptr<render::Film> film = film_of(layout, found);
+    return film && take(job_->again(renderer, settings, std::move(film), stop), found);
 }
 
 Diagnostics MovingJob::move(std::span<const camera::KnownInput> inputs) {
@@ -91,6 +110,15 @@ std::vector<lang::Override> LivePicture::closed_among(const std::vector<Value>& 
     return closed;
 }
 
+std::vector<lang::Override> LivePicture::all_closed(const std::vector<Value>& values) const {
+    std::vector<lang::Override> closed = closed_among(values);
+    for (std::size_t i = 0; i < inputs_.size(); ++i) {
+        const lang::OpenParameter& one = opened_.open[i];
+        closed.push_back({one.name, lang::literal(inputs_[i].value, one.is_angle)});
+    }
+    return closed;
+}
+
 render::Settings LivePicture::with_inputs(render::Settings settings) const {
     settings.inputs = inputs_;
     return settings;
@@ -102,16 +130,40 @@ const render::Film* LivePicture::preview(const app::PreparedScene& scene, std::s
     const std::size_t height = std::max<std::size_t>(size_[1] / part, 1);
     MovingJob& job = part > 1 ? coarse_ : preview_;
     if (!job.has(width, height)) {
-        render::Settings settings = with_inputs(scene.settings());
-        settings.integrator = "preview";
-        settings.samples = 1;
-        settings.sampling.noise = 0.0;
-        if (!job.make(scene.renderer(), opened_.picture, settings,
+        if (!job.make(scene.renderer(), opened_.picture, preview_settings(scene),
                       {.width = width, .height = height, .data_layers = false}, stop, found)) {
             return nullptr;
         }
     }
     return job.run(1, stop, found) ? &job.film() : nullptr;
+}
+
+render::Settings LivePicture::preview_settings(const app::PreparedScene& scene) const {
+    render::Settings settings = with_inputs(scene.settings());
+    settings.integrator = "preview";
+    settings.samples = 1;
+    settings.sampling.noise = 0.0;
+    return settings;
+}
+
+const render::Film* LivePicture::data(const app::PreparedScene& scene, const render::Region& window,
+                                      const std::stop_token& stop, Diagnostics& found) {
+    using render::LayerId;
+    render::Settings settings = preview_settings(scene);
+    settings.ambient = render::Color3f(1.0F);  // None is to be chosen for what shows no light.
+    const render::FilmLayout layout{
+        .width = size_[0],
+        .height = size_[1],
+        .window = window,
+        .data_layers = false,
+        .layers = {LayerId::ray_length, LayerId::position, LayerId::normal, LayerId::object,
+                   LayerId::origin, LayerId::direction, LayerId::parameters, LayerId::valid,
+                   LayerId::picture_layer, LayerId::magnification, LayerId::crypto_material}};
+    const bool is_made =
+        data_.has(size_[0], size_[1])
+            ? data_.make_again(scene.renderer(), settings, layout, stop, found)
+            : data_.make(scene.renderer(), opened_.picture, settings, layout, stop, found);
+    return is_made && data_.run(1, stop, found) ? &data_.film() : nullptr;
 }
 
 const render::Film* LivePicture::paths(const app::PreparedScene& scene, std::size_t samples,

@@ -24,6 +24,11 @@ public:
     [[nodiscard]] bool make(const render::Renderer& renderer, const camera::Picture& picture,
                             const render::Settings& settings, const render::FilmLayout& layout,
                             const std::stop_token& stop, Diagnostics& found);
+    /// The same picture and size with other settings, such as another window.
+    [[nodiscard]] bool make_again(const render::Renderer& renderer,
+                                  const render::Settings& settings,
+                                  const render::FilmLayout& layout, const std::stop_token& stop,
+                                  Diagnostics& found);
     [[nodiscard]] bool has(std::size_t width, std::size_t height) const {
         return job_ && film().width == width && film().height == height;
     }
@@ -33,6 +38,8 @@ public:
     [[nodiscard]] const render::Film& film() const { return *job_->film(); }
 
 private:
+    [[nodiscard]] bool take(Result<render::Job> made, Diagnostics& found);
+
     std::optional<render::Job> job_;
 };
 
@@ -50,6 +57,9 @@ public:
     /// The values of parameters that are not open, for another camera.
     [[nodiscard]] std::vector<lang::Override> closed_among(const std::vector<Value>& values) const;
 
+    /// The same with those to which the picture was moved, for one in which none is open.
+    [[nodiscard]] std::vector<lang::Override> all_closed(const std::vector<Value>& values) const;
+
     /// What follows a drag, from these values. `axes` are those of its points.
     [[nodiscard]] Dragged drag(const Drag& drag, const std::vector<Value>& values, Axes axes,
                                const std::stop_token& stop);
@@ -62,9 +72,14 @@ public:
     [[nodiscard]] const render::Film* paths(const app::PreparedScene& scene, std::size_t samples,
                                             bool will_denoise, const std::stop_token& stop,
                                             Diagnostics& found);
+    /// What the rays through the centres of pixels in a window meet: data layers, and materials.
+    [[nodiscard]] const render::Film* data(const app::PreparedScene& scene,
+                                           const render::Region& window,
+                                           const std::stop_token& stop, Diagnostics& found);
 
 private:
     [[nodiscard]] render::Settings with_inputs(render::Settings settings) const;
+    [[nodiscard]] render::Settings preview_settings(const app::PreparedScene& scene) const;
 
     lang::OpenPicture opened_;
     std::array<std::size_t, 2> size_;
@@ -72,6 +87,7 @@ private:
     MovingJob coarse_;
     MovingJob preview_;
     MovingJob paths_;
+    MovingJob data_;
     std::optional<Dragger> dragger_;  ///< Of the layer that was dragged last.
     std::size_t dragged_layer_ = 0;
 };

@@ -13,7 +13,7 @@
 #include "balcony/denoise.hpp"
 #include "balcony/display_pixels.hpp"
 #include "balcony/live.hpp"
-#include "live/live_picture.hpp"
+#include "live/followed_picture.hpp"
 
 namespace balcony::live {
 
@@ -25,21 +25,11 @@ double seconds_since(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-bool is_same(const std::vector<lang::Override>& a, const std::vector<lang::Override>& b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                      [](const lang::Override& one, const lang::Override& other) {
-                          return one.name == other.name && one.expression == other.expression;
-                      });
-}
-
 // All changes so far.
-struct Wanted {
-    std::uint64_t change = 0;  // The number of the last one.
+struct Wanted : Shown {
+    Wanted() { size = {960, 540}; }
+
     Clock::time_point since{};
-    std::string text;
-    std::string camera;
-    std::vector<Value> values;
-    std::array<std::size_t, 2> size{960, 540};
     bool chooses_exposure = false;
     Drag drag;
 
@@ -73,7 +63,7 @@ struct View::State {
           request(of),
           observer(std::move(observing)),
           options(chosen),
-          folder(std::move(where)),
+          camera(std::move(where)),
           thread([this](const std::stop_token& stop) { work(stop); }) {}
 
     // Of the thread.
@@ -81,8 +71,6 @@ struct View::State {
     [[nodiscard]] bool load(const std::stop_token& stop);
     void show(const Wanted& next, const std::stop_token& newer, const std::stop_token& view_ends);
     [[nodiscard]] bool follow(const Wanted& next, const std::stop_token& newer);
-    [[nodiscard]] bool make(const Wanted& next, const std::vector<lang::Override>& closed,
-                            const std::stop_token& newer, Diagnostics& found);
     [[nodiscard]] std::vector<Value> dragged(const Wanted& next, const std::stop_token& newer);
     [[nodiscard]] std::size_t coarse_part(const std::array<std::size_t, 2>& size) const;
     void show_preview(const Wanted& next, std::size_t part, const std::stop_token& stop);
@@ -98,19 +86,17 @@ struct View::State {
     app::Request request;
     Observer observer;
     Options options;
-    std::filesystem::path folder;
 
-    std::mutex mutex;
+    std::mutex mutex;  // Guards what follows.
     std::condition_variable_any changed;
-    Wanted wanted;         // Guarded by the mutex,
-    std::stop_source old;  // as is this: of the work for the last change that the thread has seen.
+    Wanted wanted;
+    std::stop_source old;  // Of the work for the last change that the thread has seen.
+    std::optional<app::PreparedScene> shared_scene;
+    std::optional<Shown> shown;
 
     // Of the thread.
-    Wanted shown;
-    std::optional<LivePicture> picture;  // The last good one,
-    std::string picture_text;            // and what it was made of.
-    std::string picture_name;
-    std::vector<lang::Override> picture_closed;
+    std::uint64_t last_change = 0;
+    FollowedPicture camera;
     std::optional<double> preview_exposure;
     std::optional<double> path_exposure;
     double seconds_a_pixel = 1e-7;  // Of a preview.
@@ -151,6 +137,16 @@ std::uint64_t View::change(Change change) {
     return number;
 }
 
+std::optional<app::PreparedScene> View::scene() const {
+    const std::lock_guard lock(state_->mutex);
+    return state_->shared_scene ? std::optional(state_->shared_scene->share()) : std::nullopt;
+}
+
+std::optional<Shown> View::shown() const {
+    const std::lock_guard lock(state_->mutex);
+    return state_->shown;
+}
+
 // False if there is no scene.
 bool View::State::load(const std::stop_token& stop) {
     const auto tell = [this](const SceneState& state) {
@@ -178,12 +174,16 @@ void View::State::work(const std::stop_token& stop) {
     if (!scene && !load(stop)) {
         return;
     }
+    {
+        const std::lock_guard lock(mutex);
+        shared_scene = scene->share();
+    }
     for (;;) {
         Wanted next;
         std::stop_token newer;
         {
             std::unique_lock lock(mutex);
-            changed.wait(lock, stop, [this] { return wanted.change != shown.change; });
+            changed.wait(lock, stop, [this] { return wanted.change != last_change; });
             if (stop.stop_requested()) {
                 return;
             }
@@ -193,9 +193,9 @@ void View::State::work(const std::stop_token& stop) {
             newer = old.get_token();
         }
         show(next, newer, stop);
-        shown = std::move(next);
+        last_change = next.change;
         if (!newer.stop_requested() && observer.rest) {
-            observer.rest(shown.change);
+            observer.rest(last_change);
         }
     }
 }
@@ -232,19 +232,19 @@ bool View::State::is_at_rest(const Wanted& next, const std::stop_token& newer) {
 // Moves the camera, or makes it anew. False if there is none, or if a newer change has come.
 bool View::State::follow(const Wanted& next, const std::stop_token& newer) {
     Diagnostics found;
-    if (!picture || next.text != picture_text || next.camera != picture_name) {
-        if (!make(next, {}, newer, found)) {
-            return false;
+    if (!camera.follow(*scene, next, newer, found)) {
+        if (kind_of_errors(found) != Kind::interrupted) {
+            tell_camera(next, std::move(found));
         }
-    }
-    if (const std::vector<lang::Override> closed = picture->closed_among(next.values);
-        !is_same(closed, picture_closed) && !make(next, closed, newer, found)) {
         return false;
     }
-    if (picture->size() != next.size) {
-        picture = LivePicture(picture->opened(), next.size);
+    Shown now = next;
+    now.values = dragged(next, newer);
+    camera.picture().move(now.values, found);
+    {
+        const std::lock_guard lock(mutex);
+        shown = std::move(now);
     }
-    picture->move(dragged(next, newer), found);
     tell_camera(next, std::move(found));
     return true;
 }
@@ -255,7 +255,7 @@ std::vector<Value> View::State::dragged(const Wanted& next, const std::stop_toke
     if (next.drag.pulls.empty()) {
         return values;
     }
-    Dragged made = picture->drag(next.drag, values, scene->scene()->axes, newer);
+    Dragged made = camera.picture().drag(next.drag, values, scene->scene()->axes, newer);
     made.change = next.change;
     for (const Value& one : made.values) {
         std::erase_if(values, [&](const Value& given) { return given.parameter == one.parameter; });
@@ -267,34 +267,17 @@ std::vector<Value> View::State::dragged(const Wanted& next, const std::stop_toke
     return values;
 }
 
-// Values of parameters that are not open shape the camera. Tells why there is none.
-bool View::State::make(const Wanted& next, const std::vector<lang::Override>& closed,
-                       const std::stop_token& newer, Diagnostics& found) {
-    Result<lang::OpenPicture> made = scene->picture(
-        {std::make_shared<const SourceText>(std::string(text_name), next.text), folder},
-        next.camera, closed, newer);
-    found = std::move(made.diagnostics);
-    if (made) {
-        picture.emplace(std::move(*made.value), next.size);
-        picture_text = next.text;
-        picture_name = next.camera;
-        picture_closed = closed;
-    } else if (kind_of_errors(found) != Kind::interrupted) {
-        tell_camera(next, std::move(found));
-    }
-    return made.value.has_value();
-}
-
 void View::State::tell_camera(const Wanted& next, Diagnostics found) {
     if (!observer.camera) {
         return;
     }
     CameraState state{next.change, std::move(found)};
     if (!has_errors(state.diagnostics)) {
-        state.name = picture->opened().picture.parts().name;
-        state.aspect = picture->opened().picture.parts().aspect;
-        state.open = picture->opened().open;
-        state.closed = picture->opened().numbers;
+        const lang::OpenPicture& opened = camera.picture().opened();
+        state.name = opened.picture.parts().name;
+        state.aspect = opened.picture.parts().aspect;
+        state.open = opened.open;
+        state.closed = opened.numbers;
     }
     observer.camera(state);
 }
@@ -310,7 +293,7 @@ std::size_t View::State::coarse_part(const std::array<std::size_t, 2>& size) con
 void View::State::show_preview(const Wanted& next, std::size_t part, const std::stop_token& stop) {
     Diagnostics found;
     const auto begin = Clock::now();
-    if (const render::Film* const film = picture->preview(*scene, part, stop, found)) {
+    if (const render::Film* const film = camera.picture().preview(*scene, part, stop, found)) {
         seconds_a_pixel = seconds_since(begin) / static_cast<double>(film->window.size());
         tell(next, *film, part > 1 ? Quality::coarse : Quality::preview, 1, stop);
     }
@@ -322,7 +305,8 @@ void View::State::show_paths(const Wanted& next, const std::stop_token& newer) {
     const std::size_t most = scene->settings().samples;
     const render::Film* film = nullptr;
     for (std::size_t samples = 1; samples < 2 * most; samples *= 2) {
-        film = picture->paths(*scene, std::min(samples, most), options.denoises, newer, found);
+        film =
+            camera.picture().paths(*scene, std::min(samples, most), options.denoises, newer, found);
         if (film == nullptr) {
             return;
         }
@@ -356,7 +340,8 @@ std::optional<double> View::State::exposure(std::string_view integrator,
                                             const std::stop_token& newer) {
     std::optional<double>& held = integrator == "preview" ? preview_exposure : path_exposure;
     if (!held) {
-        const Result<double> chosen = scene->exposure(picture->opened().picture, integrator, newer);
+        const Result<double> chosen =
+            scene->exposure(camera.picture().opened().picture, integrator, newer);
         held = chosen ? std::optional(*chosen) : std::nullopt;
     }
     return held;

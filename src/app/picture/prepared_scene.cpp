@@ -38,15 +38,26 @@ Result<PreparedScene> PreparedScene::make(const Request& request, const Observer
     return {PreparedScene(std::move(state)), std::move(found)};
 }
 
-Result<lang::OpenPicture> PreparedScene::picture(const lang::CameraSource& source,
-                                                 std::string_view name,
-                                                 const std::vector<lang::Override>& values,
-                                                 const std::stop_token& stop) {
+PreparedScene PreparedScene::share() const {
+    const Loaded& loaded = state_->loaded;
+    auto shared = std::make_unique<State>();
+    shared->request = state_->request;
+    shared->loaded.scene = loaded.scene;
+    shared->loaded.renderer = loaded.renderer;
+    shared->loaded.times = loaded.times;
+    shared->loaded.settings = loaded.settings;
+    return PreparedScene(std::move(shared));
+}
+
+Result<lang::OpenPicture> PreparedScene::picture(
+    const lang::CameraSource& source, std::string_view name,
+    const std::vector<lang::Override>& values, const std::stop_token& stop,
+    const std::optional<std::vector<std::string>>& open) {
     Loaded& loaded = state_->loaded;
     const Request& request = state_->request;
     loaded.cameras.stop_with(stop);
     loaded.cameras.fit_to({});
-    const auto make = [&] { return loaded.cameras.make_open_picture(source, name, values); };
+    const auto make = [&] { return loaded.cameras.make_open_picture(source, name, values, open); };
     Result<lang::OpenPicture> made = make();
     if (made && request.placement.places(source.path().string())) {
         const auto cameras = [&] {

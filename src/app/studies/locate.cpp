@@ -11,6 +11,7 @@
 #include "app/request_check.hpp"
 #include "app/words.hpp"
 #include "balcony/names.hpp"
+#include "balcony/prepared_scene.hpp"
 #include "balcony/render.hpp"
 #include "balcony/studies.hpp"
 
@@ -122,6 +123,11 @@ struct LocateSession::State {
     std::size_t batches = 0;
     std::size_t searched_in_part = 0;
     bool any_seen = false;
+
+    /// `found` has the size, and what decided on the axes.
+    [[nodiscard]] static Result<std::unique_ptr<State>> make(
+        camera::Picture picture, std::optional<Prepared> prepared, Located found,
+        const std::optional<Axes>& axes, double time, const std::stop_token& stop);
 };
 
 LocateSession::LocateSession(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -156,36 +162,64 @@ Result<LocateSession> LocateSession::make(const LocateRequest& request,
         found.axes_from = AxesSource::scene;
         axes = prepared->scene->axes;
     }
-    found.camera = picture->name();
     *picture = picture->with_fit(request.size.fit);
     std::tie(found.width, found.height) =
         request.size.resolve(picture->aspect(), picture->parts().size);
-    auto locator =
-        analyse::Locator::make(*picture, static_cast<double>(found.width),
-                               static_cast<double>(found.height), request.time, axes, {}, stop);
-    add(diagnostics, locator.diagnostics);
+    std::vector<std::filesystem::path> files = workspace.files();
+    files.emplace_back(request.scene);
+    auto state = State::make(std::move(*picture), std::move(prepared), std::move(found), axes,
+                             request.time, stop);
+    add(diagnostics, state.diagnostics);
+    if (!state) {
+        return diagnostics;
+    }
+    (*state)->files = std::move(files);
+    return {LocateSession(std::move(*state)), std::move(diagnostics)};
+}
+
+Result<LocateSession> LocateSession::make(const camera::Picture& picture,
+                                          const PreparedScene& scene,
+                                          const std::array<std::size_t, 2>& size,
+                                          const std::stop_token& stop) {
+    Located found;
+    found.axes_from = AxesSource::scene;
+    found.width = size[0];
+    found.height = size[1];
+    auto state = State::make(picture, Prepared{scene.scene(), scene.renderer()}, std::move(found),
+                             scene.scene()->axes, scene.settings().time, stop);
+    return state ? Result<LocateSession>({LocateSession(std::move(*state)), state.diagnostics})
+                 : Result<LocateSession>(state.diagnostics);
+}
+
+Result<std::unique_ptr<LocateSession::State>> LocateSession::State::make(
+    camera::Picture picture, std::optional<Prepared> prepared, Located found,
+    const std::optional<Axes>& axes, double time, const std::stop_token& stop) {
+    found.camera = picture.name();
+    auto locator = analyse::Locator::make(picture, static_cast<double>(found.width),
+                                          static_cast<double>(found.height), time, axes, {}, stop);
+    Diagnostics diagnostics = locator.diagnostics;
     if (!locator) {
         return diagnostics;
     }
     found.layers = locator->layers();
-    LayersOfPicture layers = layers_of(*picture, found.layers.size());
+    LayersOfPicture layers = layers_of(picture, found.layers.size());
     found.numbers = std::move(layers.numbers);
     if (prepared) {
-        add(diagnostics, render::check_objects(*picture, *prepared->scene));
+        add(diagnostics, render::check_objects(picture, *prepared->scene));
         if (has_errors(diagnostics)) {
             return diagnostics;
         }
+        found.objects = prepared->scene->objects;
     }
     found.closed_form = locator->closed_form();
     found.axes = locator->axes();
-    if (prepared) {
-        found.objects = prepared->scene->objects;
-    }
-    std::vector<std::filesystem::path> files = workspace.files();
-    files.emplace_back(request.scene);
-    return {LocateSession(std::make_unique<State>(
-                State{std::move(prepared), std::move(*picture), std::move(files), request.time,
-                      std::move(found), std::move(*locator), std::move(layers.objects)})),
+    return {std::make_unique<State>(State{std::move(prepared),
+                                          std::move(picture),
+                                          {},
+                                          time,
+                                          std::move(found),
+                                          std::move(*locator),
+                                          std::move(layers.objects)}),
             std::move(diagnostics)};
 }
 

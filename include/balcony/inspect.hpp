@@ -1,0 +1,79 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Inspect: questions about what a view shows, answered beside it.
+//
+//     view.scene(), view.shown() ─▶ Inspector::show() ─▶ at(), places_of()
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include <Imath/ImathVec.h>
+
+#include "balcony/base.hpp"
+#include "balcony/live.hpp"
+#include "balcony/prepared_scene.hpp"
+
+namespace balcony::live {
+
+/// The ray of a point of a picture and what stands there, in the axes of the scene.
+struct Sight {
+    std::string layer{};  ///< The camera layer of the picture, if it has several.
+    Imath::V3d origin{0.0};
+    Imath::V3d direction{0.0};   ///< Of unit length.
+    Imath::V2d parameters{0.0};  ///< (u, v) of the eye object.
+    struct Hit {
+        std::string object{};
+        std::string material{};  ///< Empty if the scene does not name it.
+        double distance = 0.0;   ///< From the origin, in scene units.
+        Imath::V3d point{0.0};
+        Imath::V3d normal{0.0};      ///< Of unit length, towards the ray's side.
+        double magnification = 0.0;  ///< As render::DataLayers::magnification.
+    };
+    std::optional<Hit> hit{};  ///< Nothing where the ray meets nothing.
+};
+
+/// A point of a picture that shows a point of space.
+struct Appearance {
+    Imath::V2d position{0.0};  ///< In pixels from the top left corner.
+    std::string layer{};       ///< The camera layer of the picture, if it has several.
+    Imath::V3d origin{0.0};    ///< Of its ray, in the axes of the scene.
+    double distance = 0.0;     ///< Along the ray, in scene units.
+    /// The object that hides the point from this ray, if one does.
+    std::optional<std::string> hidden_by{};
+};
+
+/// Belongs to one thread, which need not be that of the view.
+class Inspector {
+public:
+    /// Imports and tables of texts are looked for in the folder.
+    explicit Inspector(app::PreparedScene scene, std::filesystem::path folder = {});
+    Inspector(Inspector&&) noexcept;
+    Inspector& operator=(Inspector&&) noexcept;
+    ~Inspector();
+
+    /// What the next questions are about. What is the same as before is not made again. Without a
+    /// camera, the diagnostics say why, and there are no answers.
+    [[nodiscard]] Diagnostics show(const Shown& shown, const std::stop_token& stop = {});
+
+    /// What the pixel of a point shows, by the ray through its centre; nothing if there is no ray.
+    /// A point that is not in the picture is an error of Kind::usage.
+    [[nodiscard]] Result<std::optional<Sight>> at(const Imath::V2d& point,
+                                                  const std::stop_token& stop = {});
+    /// All points of the picture that a point of the scene's space appears at, hidden or not, from
+    /// left to right. As analyse::Locator finds them.
+    [[nodiscard]] Result<std::vector<Appearance>> places_of(const Imath::V3d& point,
+                                                            const std::stop_token& stop = {});
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace balcony::live

@@ -1,0 +1,165 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "balcony/inspect.hpp"
+#include "balcony/progress.hpp"
+#include "balcony/studies.hpp"
+#include "live/followed_picture.hpp"
+
+namespace balcony::live {
+
+using Imath::V2d;
+using Imath::V3d;
+
+struct Inspector::State {
+    app::PreparedScene scene;
+    std::filesystem::path folder;
+    FollowedPicture camera;
+    std::optional<Shown> shown{};
+    std::optional<app::LocateSession> places{};  ///< Of what is shown, when it was asked for.
+
+    [[nodiscard]] Diagnostics make_places(const std::stop_token& stop);
+};
+
+Inspector::Inspector(app::PreparedScene scene, std::filesystem::path folder)
+    : state_(std::make_unique<State>(
+          State{std::move(scene), folder, FollowedPicture(std::move(folder))})) {}
+Inspector::Inspector(Inspector&&) noexcept = default;
+Inspector& Inspector::operator=(Inspector&&) noexcept = default;
+Inspector::~Inspector() = default;
+
+Diagnostics Inspector::show(const Shown& shown, const std::stop_token& stop) {
+    State& state = *state_;
+    if (state.shown && state.shown->change == shown.change) {
+        return {};
+    }
+    state.shown.reset();
+    state.places.reset();
+    Diagnostics found;
+    if (!state.camera.follow(state.scene, shown, stop, found)) {
+        return found;
+    }
+    state.camera.picture().move(shown.values, found);
+    if (!has_errors(found)) {
+        state.shown = shown;
+    }
+    return found;
+}
+
+namespace {
+
+Diagnostic nothing_is_shown() {
+    return error(Kind::usage, "no camera is shown", "show one, and ask again");
+}
+
+std::string name_in(const std::vector<std::string>& names, std::size_t id) {
+    return id >= 1 && id <= names.size() ? names[id - 1] : std::string();
+}
+
+// Of the material that covers most of a pixel.
+std::uint32_t main_material(const render::Film& film) {
+    const auto& entries = film.means.materials.front().entries;
+    return std::max_element(entries.begin(), entries.end(),
+                            [](const auto& one, const auto& other) {
+                                return one.coverage < other.coverage;
+                            })
+        ->id;
+}
+
+// What a film of one pixel shows.
+std::optional<Sight> sight_of(const render::Film& film) {
+    const render::DataLayers& data = *film.layers;
+    if (data.valid.front() == 0) {
+        return std::nullopt;
+    }
+    const bool has_layers = film.picture_layers.size() > 1;
+    Sight made{.layer = has_layers ? name_in(film.picture_layers, data.layer.front()) : "",
+               .origin = V3d(data.origin.front()),
+               .direction = V3d(data.direction.front()),
+               .parameters = V2d(data.parameters.front())};
+    if (data.object.front() != 0) {
+        made.hit = Sight::Hit{.object = name_in(film.objects, data.object.front()),
+                              .material = name_in(film.materials, main_material(film)),
+                              .distance = data.ray_length.front(),
+                              .point = V3d(data.position.front()),
+                              .normal = V3d(data.normal.front()),
+                              .magnification = data.magnification.front()};
+    }
+    return made;
+}
+
+}  // namespace
+
+Result<std::optional<Sight>> Inspector::at(const V2d& point, const std::stop_token& stop) {
+    if (!state_->shown) {
+        return nothing_is_shown();
+    }
+    LivePicture& picture = state_->camera.picture();
+    const auto width = static_cast<double>(picture.size()[0]);
+    const auto height = static_cast<double>(picture.size()[1]);
+    if (!(point.x >= 0.0 && point.x < width && point.y >= 0.0 && point.y < height)) {
+        return error(Kind::usage,
+                     fmt::format("the point {}, {} is not in a picture of {} x {} pixels", point.x,
+                                 point.y, width, height),
+                     "count pixels from the top left corner");
+    }
+    Diagnostics found;
+    const render::Film* const film =
+        picture.data(state_->scene,
+                     {static_cast<std::size_t>(point.x), static_cast<std::size_t>(point.y), 1, 1},
+                     stop, found);
+    if (film == nullptr) {
+        return has_errors(found) ? found : Diagnostics{stopped()};
+    }
+    return sight_of(*film);
+}
+
+// The picture with all of its values, none of them open.
+Diagnostics Inspector::State::make_places(const std::stop_token& stop) {
+    const Result<lang::OpenPicture> made =
+        scene.picture(source_of(*shown, folder), shown->camera,
+                      camera.picture().all_closed(shown->values), stop, std::vector<std::string>());
+    if (!made) {
+        return made.diagnostics;
+    }
+    Result<app::LocateSession> session =
+        app::LocateSession::make(made->picture, scene, shown->size, stop);
+    places = std::move(session.value);
+    return std::move(session.diagnostics);
+}
+
+Result<std::vector<Appearance>> Inspector::places_of(const V3d& point,
+                                                     const std::stop_token& stop) {
+    if (!state_->shown) {
+        return nothing_is_shown();
+    }
+    if (!state_->places) {
+        if (Diagnostics found = state_->make_places(stop); !state_->places) {
+            return found;
+        }
+    }
+    const Result<app::Located> located = state_->places->locate({point}, stop);
+    if (!located) {
+        return located.diagnostics;
+    }
+    std::vector<Appearance> made;
+    for (std::size_t i = 0; i < located->sightings.size(); ++i) {
+        const analyse::Sighting& one = located->sightings[i];
+        Appearance place{.position = one.position,
+                         .layer = located->layers.size() > 1 ? located->layers[one.layer] : "",
+                         .origin = one.origin,
+                         .distance = one.distance};
+        if (const auto& hides = (*located->obstacles)[i]) {
+            place.hidden_by = located->objects[hides->object].name;
+        }
+        made.push_back(std::move(place));
+    }
+    return {std::move(made), located.diagnostics};
+}
+
+}  // namespace balcony::live

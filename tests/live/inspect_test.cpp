@@ -1,0 +1,171 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// What stands at a point of the picture, and where a point of space appears.
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+#include <string>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "balcony/inspect.hpp"
+
+namespace balcony::live::test::inspect_test {
+namespace {
+
+using Imath::V2d;
+using Imath::V3d;
+
+// Looks along x at a wall of 4 by 4 at distance 2, of which it sees 2.4 by 1.8 in 64 by 48 pixels.
+const std::string straight = R"(camera straight(slope = 0.6, side = 0) {
+    aspect 4/3
+    map    u = slope .. -slope, v = square
+    eye    point(0, side, 0)
+    toward surface(u, v) = [1, side + u, v]
+}
+)";
+
+const std::string twice = straight + R"(camera small = straight
+picture twice {
+    aspect 4/3
+    layer straight
+    layer small {
+        place (0, 0) .. (0.5, 0.5)
+    }
+}
+)";
+
+class InspectTest : public testing::Test {
+protected:
+    void SetUp() override {
+        std::filesystem::create_directories(folder_);
+        // The axes of the file have y upwards: its z is the camera's -y.
+        std::ofstream(folder_ / "wall.mtl") << "newmtl red\nKd 0.8 0.1 0.1\n";
+        std::ofstream(folder_ / "wall.obj")
+            << "mtllib wall.mtl\no wall\nusemtl red\n"
+               "v 2 -2 -2\nv 2 2 -2\nv 2 2 2\nv 2 -2 2\nf 1 2 3 4\n"
+               "o post\nv 1 -0.1 -0.1\nv 1 0.1 -0.1\nv 1 0.1 0.1\nv 1 -0.1 0.1\nf 5 6 7 8\n";
+        app::Request request;
+        request.scene = (folder_ / "wall.obj").string();
+        Result<app::PreparedScene> scene = app::PreparedScene::make(request);
+        ASSERT_TRUE(scene) << to_text(scene.diagnostics);
+        inspector_.emplace(std::move(*scene), folder_);
+    }
+
+    void show(const std::string& text, std::vector<Value> values = {}) {
+        const Diagnostics found =
+            inspector_->show({++change_, text, "", std::move(values), {64, 48}});
+        EXPECT_FALSE(has_errors(found)) << to_text(found);
+    }
+    Sight seen(double x, double y) {
+        const auto made = inspector_->at({x, y});
+        EXPECT_TRUE(made && *made) << to_text(made.diagnostics);
+        return made && *made ? **made : Sight();
+    }
+
+    std::filesystem::path folder_ =
+        std::filesystem::path(testing::TempDir()) / "balcony_inspect_test";
+    std::optional<Inspector> inspector_;
+    std::uint64_t change_ = 0;
+};
+
+void expect_near(const V3d& one, const V3d& other, double tolerance) {
+    EXPECT_NEAR((one - other).length(), 0.0, tolerance) << one << " and " << other;
+}
+
+}  // namespace
+
+TEST_F(InspectTest, TellsWhatStandsAtAPoint) {
+    show(straight);
+    // The centre of pixel 48 is 16.5 pixels to the right of the middle: 0.6 are 32 of them.
+    const double u = -0.6 * 16.5 / 32.0;
+    const double v = 0.6 * 0.5 / 32.0;
+    const Sight sight = seen(48.9, 23.1);
+    EXPECT_EQ(sight.layer, "");
+    expect_near(sight.origin, V3d(0.0), 1e-6);
+    expect_near(sight.direction, V3d(1, v, -u).normalized(), 1e-6);
+    EXPECT_NEAR(sight.parameters.x, u, 1e-6);
+    EXPECT_NEAR(sight.parameters.y, v, 1e-6);
+    ASSERT_TRUE(sight.hit);
+    EXPECT_EQ(sight.hit->object, "wall");
+    EXPECT_EQ(sight.hit->material, "red");
+    expect_near(sight.hit->point, V3d(2, 2 * v, -2 * u), 1e-5);
+    EXPECT_NEAR(sight.hit->distance, sight.hit->point.length(), 1e-5);
+    expect_near(sight.hit->normal, V3d(-1, 0, 0), 1e-6);
+    // Across the ray, a plane wall at distance d = 2 shows 32 / (0.6 d) pixels a unit in the
+    // middle; at an angle a, areas are cos(a)^3 as large, where d is 2 / cos(a).
+    const double cosine = 2.0 / sight.hit->distance;
+    EXPECT_NEAR(sight.hit->magnification, 32.0 / 0.6 / 2.0 * std::pow(cosine, -0.5), 1e-3);
+    EXPECT_EQ(seen(32, 24).hit->object, "post");
+}
+
+TEST_F(InspectTest, FollowsValuesAndTexts) {
+    show(straight);
+    const V3d before = seen(48, 24).hit->point;
+    show(straight, {{"slope", 0.3}});
+    const V3d moved = seen(48, 24).hit->point;
+    EXPECT_NEAR(moved.z, before.z / 2, 1e-5);
+    std::string written = straight;
+    show(written.replace(written.find("0.6"), 3, "0.3"));
+    expect_near(seen(48, 24).hit->point, moved, 1e-9);
+    show(straight, {{"side", -1.0}});
+    expect_near(seen(48, 24).origin, V3d(0, 0, 1), 1e-6);
+}
+
+TEST_F(InspectTest, WhereNothingIs) {
+    // More than the wall, and nothing beyond the sphere that (u, v) has.
+    show("camera wide { aspect 4/3 map u = 2 .. -2, v = square eye point(0, 0, 0) "
+         "toward surface(u, v) = [sqrt(3 - u^2), u, v] }");
+    EXPECT_FALSE(*inspector_->at({0, 24}));
+    EXPECT_FALSE(seen(6, 24).hit);
+    EXPECT_TRUE(seen(32, 30).hit);
+    for (const V2d& wrong : {V2d(-0.1, 3), V2d(64, 3), V2d(3, 48), V2d(std::nan(""), 3)}) {
+        const auto made = inspector_->at(wrong);
+        EXPECT_EQ(kind_of_errors(made.diagnostics), Kind::usage);
+    }
+}
+
+TEST_F(InspectTest, FindsAllPlacesOfAPoint) {
+    show(twice);
+    const V3d on_wall(2, 0.5, 1);
+    const auto places = inspector_->places_of(on_wall);
+    ASSERT_TRUE(places) << to_text(places.diagnostics);
+    ASSERT_EQ(places->size(), 2U);
+    // u = -0.5 and v = 0.25 are 26.7 and 13.3 pixels from the middle, and half as many in the
+    // small picture in the corner.
+    EXPECT_NEAR(((*places)[0].position - V2d(16 + 13.3333, 12 - 6.6667)).length(), 0.0, 1e-3);
+    EXPECT_NEAR(((*places)[1].position - V2d(32 + 26.6667, 24 - 13.3333)).length(), 0.0, 1e-3);
+    EXPECT_EQ((*places)[0].layer, "small");
+    EXPECT_NEAR((*places)[1].distance, on_wall.length(), 1e-6);
+    EXPECT_FALSE((*places)[1].hidden_by);
+    EXPECT_EQ(seen((*places)[0].position.x, (*places)[0].position.y).layer, "small");
+    const auto behind = inspector_->places_of({2, 0.1, 0.1});
+    ASSERT_TRUE(behind && behind->size() == 2);
+    EXPECT_EQ((*behind)[1].hidden_by, "post");
+    EXPECT_TRUE(inspector_->places_of({-2, 0, 0})->empty());
+}
+
+// What at() says a pixel shows appears in this pixel, for other values than those of the text.
+TEST_F(InspectTest, WhatAPixelShowsAppearsThere) {
+    show(straight, {{"slope", 0.45}, {"side", -0.2}});
+    const auto places = inspector_->places_of(seen(50, 10).hit->point);
+    ASSERT_TRUE(places) << to_text(places.diagnostics);
+    ASSERT_EQ(places->size(), 1U);
+    EXPECT_NEAR(((*places)[0].position - V2d(50.5, 10.5)).length(), 0.0, 1e-3);
+}
+
+TEST_F(InspectTest, WithoutACameraThereAreNoAnswers) {
+    EXPECT_EQ(kind_of_errors(inspector_->at({1, 1}).diagnostics), Kind::usage);
+    show(straight);
+    EXPECT_TRUE(has_errors(inspector_->show({++change_, "camera {", "", {}, {64, 48}})));
+    EXPECT_FALSE(inspector_->at({1, 1}));
+    EXPECT_FALSE(inspector_->places_of({1, 1, 1}));
+    show(straight);
+    EXPECT_TRUE(inspector_->at({1, 1}));
+}
+
+}  // namespace balcony::live::test::inspect_test
