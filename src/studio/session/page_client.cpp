@@ -3,11 +3,13 @@
 
 #include "studio/session/page_client.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <string>
 #include <utility>
 
-#include "lsp/answers.hpp"
 #include "lsp/rpc.hpp"
+#include "studio/session/inspection_messages.hpp"
 #include "studio/session/studio.hpp"
 #include "studio/session/text_messages.hpp"
 #include "studio/session/view_messages.hpp"
@@ -29,20 +31,32 @@ const PageClient::Row PageClient::rows[] = {
     {"file/save", &PageClient::save},
 };
 
-namespace {
-
 // Requests about the text, or about a camera of it.
-struct TextRow {
+struct PageClient::TextRow {
     std::string_view method;
-    TextAnswer answer;
+    json (*answer)(const lang::EditedText& text, const std::string& camera, const json& asked);
 };
 
-constexpr TextRow text_rows[] = {
+const PageClient::TextRow PageClient::text_rows[] = {
     {"handles", [](const lang::EditedText& text, const std::string& camera,
                    const json&) { return handles_answer(text, camera); }},
     {"handles/move", moved_answer},
     {"text/set", values_answer},
 };
+
+// Requests about the picture that is shown.
+struct PageClient::PictureRow {
+    std::string_view method;
+    Inspection& (Studio::*by)();
+    json (*answer)(live::Inspector& inspector, const json& asked, const std::stop_token& stop);
+};
+
+const PageClient::PictureRow PageClient::picture_rows[] = {
+    {"view/at", &Studio::inspection, sight_answer},
+    {"view/find", &Studio::search, places_answer},
+};
+
+namespace {
 
 int next_number() {
     static int last = 0;
@@ -118,16 +132,23 @@ std::optional<json> PageClient::handle(const json& message) {
                        : std::nullopt;
         }
     }
-    for (const TextRow& row : text_rows) {
-        if (method == row.method) {
-            require_beginning();
-            if (message.contains("id")) {
-                ask(row.answer, message["id"], message.value("params", json::object()));
-            }
-            return std::nullopt;
+    return has_late_answer(method, message) ? std::nullopt : language_.handle(message);
+}
+
+// Whether the answer comes from another thread. Without an id, nobody waits for it.
+bool PageClient::has_late_answer(std::string_view method, const json& message) {
+    const auto ask_row = [&](const auto& row) {
+        if (method != row.method) {
+            return false;
         }
-    }
-    return language_.handle(message);
+        require_beginning();
+        if (message.contains("id")) {
+            ask(row, message["id"], message.value("params", json::object()));
+        }
+        return true;
+    };
+    return std::any_of(std::begin(text_rows), std::end(text_rows), ask_row) ||
+           std::any_of(std::begin(picture_rows), std::end(picture_rows), ask_row);
 }
 
 json PageClient::requests() {
@@ -136,6 +157,9 @@ json PageClient::requests() {
         names.push_back(row.method);
     }
     for (const TextRow& row : text_rows) {
+        names.push_back(row.method);
+    }
+    for (const PictureRow& row : picture_rows) {
         names.push_back(row.method);
     }
     return names;
@@ -147,20 +171,33 @@ void PageClient::require_beginning() const {
     }
 }
 
-// The answer comes from the thread of the questions; nobody waits for that of a page that has left.
-void PageClient::ask(TextAnswer answer, const json& id, const json& asked) {
-    const auto tell = [answer, id, asked, camera = asked.value("camera", studio_.camera()),
-                       version = studio_.text().version(), later = later_,
-                       page = std::weak_ptr(self_)](const lang::EditedText& text) {
+// Gives what is made on another thread to the page, unless it has left: then nobody waits for it.
+PageClient::Reply PageClient::replying(const json& id) const {
+    return [id, later = later_, page = std::weak_ptr(self_)](const std::function<json()>& make) {
         if (!page.expired()) {
-            later(lsp::answer_of(id, [&] {
-                json made = answer(text, camera, asked);
-                made["version"] = version;
-                return made;
-            }));
+            later(lsp::answer_of(id, make));
         }
     };
-    studio_.questions().ask(studio_.text(), tell);
+}
+
+void PageClient::ask(const TextRow& row, const json& id, const json& asked) {
+    studio_.questions().ask(studio_.text(),
+                            [answer = row.answer, asked, reply = replying(id),
+                             camera = asked.value("camera", studio_.camera()),
+                             version = studio_.text().version()](const lang::EditedText& text) {
+                                reply([&] {
+                                    json made = answer(text, camera, asked);
+                                    made["version"] = version;
+                                    return made;
+                                });
+                            });
+}
+
+void PageClient::ask(const PictureRow& row, const json& id, const json& asked) {
+    (studio_.*row.by)().ask([answer = row.answer, asked, reply = replying(id)](
+                                const auto& inspector, const std::stop_token& stop) {
+        reply([&] { return answer(inspector(), asked, stop); });
+    });
 }
 
 bool PageClient::is_about_text(const json& message) const {

@@ -4,14 +4,13 @@
 
 // A page at the other end of a socket.
 
+#include <functional>
 #include <memory>
 #include <optional>
-#include <string>
 #include <string_view>
 
 #include <nlohmann/json.hpp>
 
-#include "balcony/language_service.hpp"
 #include "lsp/server.hpp"
 #include "studio/session/picture_flow.hpp"
 #include "studio/web/server.hpp"
@@ -19,10 +18,6 @@
 namespace balcony::studio {
 
 class Studio;
-
-/// Answers a request about a camera of the text. As text_messages.hpp has them.
-using TextAnswer = nlohmann::json (*)(const lang::EditedText& text, const std::string& camera,
-                                      const nlohmann::json& asked);
 
 class PageClient final : public SocketUser {
 public:
@@ -42,7 +37,12 @@ public:
 
 private:
     struct Row;
+    struct TextRow;
+    struct PictureRow;
     static const Row rows[];
+    static const TextRow text_rows[];
+    static const PictureRow picture_rows[];
+    using Reply = std::function<void(const std::function<nlohmann::json()>&)>;
 
     [[nodiscard]] std::optional<nlohmann::json> handle(const nlohmann::json& message);
     [[nodiscard]] bool is_about_text(const nlohmann::json& message) const;
@@ -50,7 +50,10 @@ private:
     /// The names of all that the studio adds to the Language Server Protocol.
     [[nodiscard]] static nlohmann::json requests();
     void require_beginning() const;
-    void ask(TextAnswer answer, const nlohmann::json& id, const nlohmann::json& asked);
+    [[nodiscard]] bool has_late_answer(std::string_view method, const nlohmann::json& message);
+    [[nodiscard]] Reply replying(const nlohmann::json& id) const;
+    void ask(const TextRow& row, const nlohmann::json& id, const nlohmann::json& asked);
+    void ask(const PictureRow& row, const nlohmann::json& id, const nlohmann::json& asked);
 
     [[nodiscard]] nlohmann::json change_view(const nlohmann::json& asked);
     [[nodiscard]] nlohmann::json drag(const nlohmann::json& asked);

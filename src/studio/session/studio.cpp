@@ -44,27 +44,32 @@ Studio::Studio(Server& server, const Options& options, SharedText text)
            .rest =
                [this](std::uint64_t change) {
                    server_.post([this, change] { take_rest(change); });
-               }}) {
-    const auto told = [&server](auto function) {
-        return [&server, function](const auto& state) {
-            server.post([function, state] { function(state); });
-        };
-    };
-    view_ = live::View::load(options.request,
-                             {.frame = [this](const live::Frame& frame) { encoder_.show(frame); },
-                              .scene = told([this](const live::SceneState& state) {
-                                  tell_all(scene_told_, "studio/scene", told_of(state));
-                              }),
-                              .camera = told([this](const live::CameraState& state) {
-                                  tell_all(camera_told_, "view/camera", told_of(state));
-                              }),
-                              .drag = told([this](const live::Dragged& dragged) {
-                                  tell_all(lsp::notification("view/dragged", told_of(dragged)));
-                              }),
-                              .rest = [this](std::uint64_t change) { encoder_.rest(change); }},
-                             {}, text_.file().parent_path());
+               }}),
+      view_(live::View::load(options.request, observer(), {}, text_.file().parent_path())),
+      inspection_(*view_, text_.file().parent_path()),
+      search_(*view_, text_.file().parent_path()) {
     scene_told_ = lsp::notification("studio/scene", {{"state", "loading"}});
     view_->change({.text = text_.text(), .camera = camera_, .size = options.size});
+}
+
+// What it tells of the camera and the scene goes to the pages on the thread of the server.
+live::Observer Studio::observer() {
+    const auto told = [this](auto function) {
+        return [this, function](const auto& state) {
+            server_.post([function, state] { function(state); });
+        };
+    };
+    return {.frame = [this](const live::Frame& frame) { encoder_.show(frame); },
+            .scene = told([this](const live::SceneState& state) {
+                tell_all(scene_told_, "studio/scene", told_of(state));
+            }),
+            .camera = told([this](const live::CameraState& state) {
+                tell_all(camera_told_, "view/camera", told_of(state));
+            }),
+            .drag = told([this](const live::Dragged& dragged) {
+                tell_all(lsp::notification("view/dragged", told_of(dragged)));
+            }),
+            .rest = [this](std::uint64_t change) { encoder_.rest(change); }};
 }
 
 void Studio::join(PageClient& page) {

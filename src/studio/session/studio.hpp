@@ -18,6 +18,7 @@
 #include "balcony/live.hpp"
 #include "studio/serve.hpp"
 #include "studio/session/frame_encoder.hpp"
+#include "studio/session/inspection.hpp"
 #include "studio/session/shared_text.hpp"
 #include "studio/session/text_questions.hpp"
 #include "studio/web/server.hpp"
@@ -49,10 +50,14 @@ public:
     /// The number of the change.
     std::uint64_t change_view(live::Change change);
     [[nodiscard]] TextQuestions& questions() { return questions_; }
+    /// For quick answers, and for those that may take seconds.
+    [[nodiscard]] Inspection& inspection() { return inspection_; }
+    [[nodiscard]] Inspection& search() { return search_; }
     /// Writes the file, and tells the pages. Throws a Refusal.
     void save(bool replaces_changes);
 
 private:
+    [[nodiscard]] live::Observer observer();
     void tell_all(const nlohmann::json& message);
     void tell_all(nlohmann::json& last, std::string_view method, nlohmann::json told);
     void take_frame(const Bytes& frame);
@@ -74,7 +79,10 @@ private:
 
     TextQuestions questions_;
     FrameEncoder encoder_;
-    std::unique_ptr<live::View> view_;  ///< The last member, since its thread uses the others.
+    std::unique_ptr<live::View> view_;  ///< Its thread uses the members before it.
+    // Their threads use the view.
+    Inspection inspection_;
+    Inspection search_;
 };
 
 }  // namespace balcony::studio

@@ -80,14 +80,15 @@ Imath::V2d position_of(const json& asked) {
 }
 
 live::Pull pull_of(const json& asked) {
-    const json& point = asked.at("point");
-    return {{point.at(0).get<double>(), point.at(1).get<double>(), point.at(2).get<double>()},
-            asked.value("infinite", false),
-            position_of(asked.at("from")),
-            position_of(asked.at("to"))};
+    return {point_of(asked.at("point")), asked.value("infinite", false),
+            position_of(asked.at("from")), position_of(asked.at("to"))};
 }
 
 }  // namespace
+
+Imath::V3d point_of(const json& asked) {
+    return {asked.at(0).get<double>(), asked.at(1).get<double>(), asked.at(2).get<double>()};
+}
 
 std::size_t index_of(const json& asked) {
     if (!asked.is_number_unsigned()) {

@@ -18,6 +18,7 @@ namespace balcony::studio {
 [[nodiscard]] live::Change change_of(const nlohmann::json& asked);
 [[nodiscard]] std::vector<live::Value> values_of(const nlohmann::json& asked);
 [[nodiscard]] live::Drag drag_of(const nlohmann::json& asked);
+[[nodiscard]] Imath::V3d point_of(const nlohmann::json& asked);
 [[nodiscard]] std::size_t index_of(const nlohmann::json& asked);
 
 /// Adds the members that limit a number.

@@ -1,0 +1,31 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "studio/session/inspection.hpp"
+
+#include "lsp/rpc.hpp"
+
+namespace balcony::studio {
+
+void Inspection::ask(Question question) {
+    worker_.give([this, question = std::move(question)](const std::stop_token& stop) {
+        question([&]() -> live::Inspector& { return inspector(stop); }, stop);
+    });
+}
+
+live::Inspector& Inspection::inspector(const std::stop_token& stop) {
+    const std::optional<live::Shown> shown = view_.shown();
+    if (!shown) {
+        throw lsp::Refusal{lsp::request_failed, "no picture is shown yet: ask again later"};
+    }
+    if (!inspector_) {
+        // What is shown has a scene.
+        inspector_.emplace(*view_.scene(), folder_);
+    }
+    if (const Diagnostics found = inspector_->show(*shown, stop); has_errors(found)) {
+        throw lsp::Refusal{lsp::request_failed, to_text(found)};
+    }
+    return *inspector_;
+}
+
+}  // namespace balcony::studio

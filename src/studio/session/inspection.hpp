@@ -1,0 +1,41 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Questions about what the view shows, answered in order and one at a time, on another thread than
+// the server's and the view's.
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <utility>
+
+#include "balcony/inspect.hpp"
+#include "balcony/live.hpp"
+#include "studio/session/worker.hpp"
+
+namespace balcony::studio {
+
+class Inspection {
+public:
+    /// Called on the thread of the questions.
+    using Question = std::function<void(const std::function<live::Inspector&()>&,
+                                        const std::stop_token&)>;
+
+    Inspection(const live::View& view, std::filesystem::path folder)
+        : view_(view), folder_(std::move(folder)) {}
+
+    /// The question gets what makes an inspector of what is shown by then, or throws a Refusal.
+    /// Throws a Refusal if too many wait.
+    void ask(Question question);
+
+private:
+    [[nodiscard]] live::Inspector& inspector(const std::stop_token& stop);
+
+    const live::View& view_;
+    std::filesystem::path folder_;
+    std::optional<live::Inspector> inspector_;  // Of the thread.
+    Worker worker_;  // The last member, since its thread uses the others.
+};
+
+}  // namespace balcony::studio
