@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -48,20 +49,25 @@ struct Medium {
 /// A surface of revolution around the axis of the lens, or a plane with a hole, the stop. At the
 /// distance h from the axis it is h² c/(1 + √(1 - (1 + k) c² h²)) + a4 h⁴ + a6 h⁶ + ... nearer to
 /// the sensor than on the axis.
+///
+/// With curvature_x, it is toroidal: this curve in the vertical plane through the axis, turned
+/// about a vertical line that is 1/curvature_x behind its vertex. With curvature_x = 0, it is moved
+/// to the sides instead: a cylinder.
 struct LensSurface {
     double curvature = 0.0;  ///< c: positive if the centre of curvature is on the sensor's side.
     double conic = 0.0;      ///< k: 0 is a sphere.
-    std::array<double, 5> aspheric{};  ///< a4, a6, a8, a10, a12.
-    double radius = 0.0;               ///< Of the hole through which light passes.
-    bool stop = false;                 ///< Of the surfaces, one is the stop.
-    double gap = 0.0;                  ///< To the next surface along the axis.
-    Medium behind{};                   ///< As far as the next surface.
-    SourceSpan written{};              ///< Where a file has it.
+    std::array<double, 5> aspheric{};     ///< a4, a6, a8, a10, a12.
+    std::optional<double> curvature_x{};  ///< In the horizontal plane, if that is another one.
+    double radius = 0.0;                  ///< Of the hole through which light passes.
+    bool stop = false;                    ///< Of the surfaces, one is the stop.
+    double gap = 0.0;                     ///< To the next surface along the axis.
+    Medium behind{};                      ///< As far as the next surface.
+    SourceSpan written{};                 ///< Where a file has it.
 
     /// Whether it has terms of h⁴ or more.
     [[nodiscard]] bool is_aspheric() const;
-    /// The formula above, in any number type; not a number where the surface ends.
-    [[nodiscard]] double sag(double h) const;
+    /// How far it is behind its vertex at a point; not a number where the surface ends.
+    [[nodiscard]] double sag(double x, double y = 0.0) const;
 };
 
 /// A lens in air.
@@ -70,14 +76,22 @@ struct Prescription {
     std::vector<LensSurface> surfaces{};  ///< From the scene to the sensor, at least one.
 
     [[nodiscard]] std::size_t stop() const;  ///< The index of the stop.
+    /// Whether a surface is toroidal.
+    [[nodiscard]] bool is_anamorphic() const;
 };
+
+/// The lens of revolution with the optics near the axis that a lens has in the horizontal plane:
+/// its toroidal surfaces have their horizontal curvature, and no terms of higher order.
+[[nodiscard]] Prescription horizontal_section(const Prescription& lens);
 
 /// What makes it no lens, at the surfaces' places in the file: none or several stops, numbers that
 /// are not finite, a surface that ends before its hole does, surfaces that cross, a stop that lets
-/// nothing through, no real image of what is far away.
+/// nothing through, a surface that reflects all light of the axis but that next to it, no real
+/// image of what is far away in the vertical or the horizontal plane.
 [[nodiscard]] Diagnostics check(const Prescription& lens);
 
-/// The optics of rays near the axis. Positions are along the axis towards the sensor.
+/// The optics of rays near the axis, in the vertical plane. Positions are along the axis towards
+/// the sensor.
 struct ParaxialLens {
     double focal_length = 0.0;
     double front_focus = 0.0;      ///< From the first surface: negative in front of it.

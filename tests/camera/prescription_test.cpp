@@ -145,6 +145,35 @@ TEST(ParaxialLens, HasPupilsThatAreImagesOfTheStop) {
     EXPECT_NEAR(front.exit_radius, 1.5 * seen / 10.0, 1e-6);
 }
 
+// A cylinder has the focal length of the lens with its section in the meridian that is curved, and
+// none in the other one, in which it is a plate.
+TEST(ParaxialLens, OfACylinderIsThatOfItsSection) {
+    const Prescription sphere = singlet(20.0, -35.0, 5.0, 1.6);
+    const auto infinite = [](const Prescription& lens) {
+        return std::isinf(paraxial(lens).focal_length);
+    };
+    Prescription level = sphere;
+    Prescription upright = sphere;
+    for (std::size_t i = 0; i < 2; ++i) {
+        level.surfaces[i].curvature_x = 0.0;
+        upright.surfaces[i].curvature_x = sphere.surfaces[i].curvature;
+        upright.surfaces[i].curvature = 0.0;
+    }
+    const double f = paraxial(sphere).focal_length;
+    EXPECT_EQ(paraxial(level).focal_length, f);
+    EXPECT_TRUE(infinite(horizontal_section(level)));
+    EXPECT_EQ(paraxial(horizontal_section(upright)).focal_length, f);
+    EXPECT_TRUE(infinite(upright));
+    EXPECT_EQ(fault(level),
+              "'singlet' has no real image of what is far away in the horizontal "
+              "plane");
+    EXPECT_EQ(fault(upright),
+              "'singlet' has no real image of what is far away in the vertical "
+              "plane");
+    EXPECT_FALSE(sphere.is_anamorphic());
+    EXPECT_TRUE(level.is_anamorphic());
+}
+
 TEST(ParaxialLens, ChangesWithTheWavelength) {
     Prescription lens = singlet(50.0, -50.0, 4.0, 1.5);
     lens.surfaces[0].behind = *find_glass("N-BK7");
@@ -199,6 +228,40 @@ TEST(Prescription, IsCheckedSurfaceBySurface) {
                   s[0].gap = 0.2;
               }),
               "this surface crosses the one in front of it at the distance 2.5 mm from the axis");
+    // Where only the sides of a toroid cross: 20 - √(20² - h²) is 0.12 at h = 2.19.
+    EXPECT_EQ(with([](Surfaces& s) {
+                  s[0].radius = s[1].radius = 4.0;
+                  s[0].gap = 0.12;
+                  s[0].curvature_x = 0.0;
+                  s[0].curvature = 0.001;
+                  s[1].curvature_x = -0.05;
+                  s[1].curvature = 0.0;
+              }),
+              "this surface crosses the one in front of it at the distance 2.25 mm from the axis");
+    EXPECT_EQ(with([](Surfaces& s) {
+                  s[0].radius = 4.0;
+                  s[0].curvature_x = 0.3;
+              }),
+              "this surface ends before its hole does: its radius of curvature is 3.33333 mm, that "
+              "of its hole 4 mm");
+}
+
+// Light in glass of the index 1.6 is totally reflected where sin i > 1/1.6: where the slope 4 a h³
+// of the term h⁴ is above tan i = 0.8006, beyond h = 0.1 with a = 200.
+TEST(Prescription, NamesTheSurfaceThatReflectsAllLight) {
+    Prescription lens = singlet(20.0, -35.0, 5.0, 1.6);
+    lens.surfaces[0].curvature = 0.0;
+    lens.surfaces[1].aspheric[0] = 200.0;
+    EXPECT_EQ(fault(lens),
+              "light of the axis is totally reflected by this surface if it is more than 0.0938 mm "
+              "away from it");
+    // A hundredth of the light may be all that passes.
+    lens.surfaces[1].aspheric[0] = 10.0;
+    EXPECT_EQ(to_text(check(lens)), "");
+    // A hole that stops as much is the lens's aperture.
+    lens.surfaces[1].aspheric[0] = 0.0;
+    lens.surfaces[1].radius = 0.05;
+    EXPECT_EQ(to_text(check(lens)), "");
 }
 
 }  // namespace balcony::camera::prescription_test

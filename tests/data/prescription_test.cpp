@@ -37,6 +37,10 @@ std::string shown(const std::string& text, const std::string& name = "lens.dat")
         all += fmt::format("{:.6g} {:.6g} {:.6g} {:.6g}{}",
                            s.curvature == 0.0 ? 0.0 : 1.0 / s.curvature, s.gap,
                            s.behind.index(camera::line_d), 2.0 * s.radius, s.stop ? " stop" : "");
+        if (s.curvature_x) {
+            all +=
+                fmt::format(" radius_x={:g}", *s.curvature_x == 0.0 ? 0.0 : 1.0 / *s.curvature_x);
+        }
         if (s.conic != 0.0) {
             all += fmt::format(" conic={:g}", s.conic);
         }
@@ -102,6 +106,14 @@ TEST(LensTable, HasWordsGlassesUnitsAndAspheres) {
     EXPECT_EQ(shown(own), "20 3 1.5168 8 stop\n-20 30 1 8\n");
 }
 
+TEST(LensTable, HasToroidsAndCylinders) {
+    EXPECT_EQ(shown("unit cm\nstop 0.1 air 0.4\n2 0.3 1.5 0.8 radius_x=2.5\n-2 3 air 0.8 "
+                    "radius_x=plane conic=2\n"),
+              "0 1 1 4 stop\n20 3 1.5 8 radius_x=25\n-20 30 1 8 radius_x=0 conic=2\n");
+    EXPECT_EQ(shown("stop 1 air 4\nplane 3 1.5 8 radius_x=20\n-20 30 air 8\n"),
+              "0 1 1 4 stop\n0 3 1.5 8 radius_x=20\n-20 30 1 8\n");
+}
+
 TEST(LensTable, NamesTheLineThatIsWrong) {
     EXPECT_EQ(problem(two + "-20 30 air\n"),
               "3: a surface has a radius, a gap, a medium and a diameter");
@@ -122,6 +134,12 @@ TEST(LensTable, NamesTheLineThatIsWrong) {
               "axis");
     EXPECT_EQ(problem("stop 1 air 4\n-20 3 1.5 8\n20 30 air 8\n"),
               "'lens.dat' has no real image of what is far away");
+    EXPECT_EQ(problem("stop 1 air 4\nplane 5 1.6 8\n-20 30 air 8 a4=200\n"),
+              "3: light of the axis is totally reflected by this surface if it is more than 0.0938 "
+              "mm away from it");
+    EXPECT_EQ(problem(two + "-20 30 air 8 radius_x=big\n"), "3: this is not a number");
+    EXPECT_EQ(problem("stop 1 air 4\n20 3 1.5 8 radius_x=plane\nplane 30 air 8\n"),
+              "'lens.dat' has no real image of what is far away in the horizontal plane");
     EXPECT_EQ(problem("# nothing\n"), "'lens.dat' has no surfaces");
 }
 
@@ -142,6 +160,20 @@ TEST(Zemax, IsReadInTextOfBothKinds) {
               "0 10 1 40 stop\n200 30 1.5 80\n-200 300 1 80\n");
     EXPECT_EQ(shown(zemax(sphere, "MM", "GLAS N-BK7 0 0 1 1"), "lens.zmx"),
               "0 1 1 4 stop\n20 3 1.5168 8\n-20 30 1 8\n");
+}
+
+// The curve is in the vertical plane, as the parameters of h² to h¹⁴ are; the first one is the
+// radius of its rotation, and 0 a cylinder.
+TEST(Zemax, HasToroids) {
+    EXPECT_EQ(shown(zemax("  TYPE TOROIDAL\n  CURV 0.05\n  CONI -1\n  PARM 1 25\n  PARM 2 0\n"
+                          "  PARM 3 0.002\n",
+                          "CM"),
+                    "lens.zmx"),
+              "0 10 1 40 stop\n200 30 1.5 80 radius_x=250 conic=-1 a4=2e-06\n-200 300 1 80\n");
+    EXPECT_EQ(shown(zemax("  TYPE TOROIDAL\n  CURV 0.05\n"), "lens.zmx"),
+              "0 1 1 4 stop\n20 3 1.5 8 radius_x=0\n-20 30 1 8\n");
+    EXPECT_EQ(problem(zemax("  TYPE TOROIDAL\n  CURV 0.05\n  PARM 2 0.1\n"), "lens.zmx"),
+              "23: of an aspheric surface, only a4 to a12 are supported");
 }
 
 TEST(Zemax, NamesWhatIsNotSupported) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <span>
 #include <string>
 #include <utility>
@@ -10,9 +11,35 @@
 
 #include <gtest/gtest.h>
 
+#include "balcony/make_stage.hpp"
+#include "balcony/prescription.hpp"
 #include "support.hpp"
 
 namespace balcony::rays::test {
+
+/// The stage lens table(...) with these arguments.
+inline camera::StageResult table(const std::vector<camera::NamedValue>& values) {
+    return camera::make_stage(*camera::catalogue().find(camera::StageKind::lens, "table"), values);
+}
+
+/// A camera with a lens that no file has, which looks along x with y to the left; the unit is 1 mm.
+inline camera::Camera camera_with(const camera::Prescription& lens,
+                                  std::vector<camera::NamedValue> values) {
+    EXPECT_EQ(to_text(check(lens)), "");
+    values.push_back({"file", std::make_shared<const camera::Prescription>(lens)});
+    values.push_back({"unit", 1.0});
+    camera::Camera::Parts parts =
+        camera_of(
+            "camera a { aspect 1  map u = 0.1 .. -0.1, v = square  eye point  toward "
+            "plane((1, 0, 0)) }")
+            .parts();
+    const auto made = table(values);
+    EXPECT_TRUE(made) << to_text(made.diagnostics);
+    parts.lens = std::static_pointer_cast<const camera::Lens>(*made);
+    auto camera = camera::Camera::make(std::move(parts));
+    EXPECT_TRUE(camera) << to_text(camera.diagnostics);
+    return *camera;
+}
 
 inline constexpr double pixels = 400.0;  // The width and height of the picture.
 

@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "balcony/make_stage.hpp"
 #include "balcony/prescription.hpp"
 #include "lens_rays.hpp"
 #include "support.hpp"
@@ -22,28 +21,6 @@ using camera::LensSurface;
 using camera::ParaxialLens;
 using camera::Prescription;
 using std::numbers::pi;
-
-camera::StageResult table(const std::vector<camera::NamedValue>& values) {
-    return camera::make_stage(*camera::catalogue().find(camera::StageKind::lens, "table"), values);
-}
-
-/// A camera with a lens that no file has.
-camera::Camera camera_with(const Prescription& lens, std::vector<camera::NamedValue> values) {
-    EXPECT_EQ(to_text(check(lens)), "");
-    values.push_back({"file", std::make_shared<const Prescription>(lens)});
-    values.push_back({"unit", 1.0});
-    camera::Camera::Parts parts =
-        camera_of(
-            "camera a { aspect 1  map u = 0.1 .. -0.1, v = square  eye point  toward "
-            "plane((1, 0, 0)) }")
-            .parts();
-    const auto made = table(values);
-    EXPECT_TRUE(made) << to_text(made.diagnostics);
-    parts.lens = std::static_pointer_cast<const camera::Lens>(*made);
-    auto camera = camera::Camera::make(std::move(parts));
-    EXPECT_TRUE(camera) << to_text(camera.diagnostics);
-    return *camera;
-}
 
 /// A plane in front, and behind it a surface that a point at the distance f is imaged to infinity
 /// by, exactly: the hyperboloid with the conic constant -n² and the radius (n - 1) f.

@@ -51,6 +51,42 @@ inline std::optional<V3d> crossing(const Line& line, double vertex, double radiu
     return nearest;
 }
 
+/// How far a toroidal surface is behind its vertex: at the distance 1/curvature_x less the sag of
+/// the upright circle from the line that it is turned about.
+inline double toroid_sag(const camera::LensSurface& s, double y, double z) {
+    const double up = s.curvature * z * z / (1.0 + std::sqrt(1.0 - std::pow(s.curvature * z, 2)));
+    if (*s.curvature_x == 0.0) {
+        return up;
+    }
+    const double to_line = 1.0 / *s.curvature_x;
+    return to_line - std::copysign(std::sqrt(std::pow(to_line - up, 2) - y * y), to_line);
+}
+
+/// From where it crosses the plane of the vertex, along the line to the sag of where it is.
+inline V3d toroid_crossing(const camera::LensSurface& s, const Line& line, double vertex) {
+    V3d at = *crossing(line, vertex, 0.0);
+    double off = 1.0;
+    for (int i = 0; i < 200 && std::abs(off) > 1e-14; ++i) {
+        off = vertex + toroid_sag(s, at.y, at.z) - at.x;
+        at += off / line.direction.x * line.direction;
+    }
+    return at;
+}
+
+/// From a point to the centre of the upright circle there, or to its upright line's axis.
+inline V3d toroid_normal(const camera::LensSurface& s, const V3d& at, double vertex) {
+    if (*s.curvature_x == 0.0) {
+        return (V3d(vertex + 1.0 / s.curvature, at.y, 0.0) - at).normalized();
+    }
+    const V3d line(vertex + 1.0 / *s.curvature_x, 0.0, 0.0);
+    if (s.curvature == 0.0) {
+        return (V3d(line.x, 0.0, at.z) - at).normalized();
+    }
+    const V3d from_line =
+        std::copysign(1.0, -*s.curvature_x) * V3d(at.x - line.x, at.y, 0.0).normalized();
+    return (line + (1.0 / s.curvature - 1.0 / *s.curvature_x) * from_line - at).normalized();
+}
+
 /// Snell's law by angles, in the plane of the ray and the normal.
 inline std::optional<V3d> bent(const V3d& d, V3d normal, double n, double n_after) {
     if (normal.dot(d) < 0.0) {
@@ -73,12 +109,14 @@ inline std::optional<Line> through(const camera::Prescription& lens, Line line, 
     double n = 1.0;
     for (const camera::LensSurface& s : lens.surfaces) {
         const double radius = s.curvature == 0.0 ? 0.0 : 1.0 / s.curvature;
-        const auto at = crossing(line, vertex, radius);
-        if (!at || std::hypot(at->y, at->z) > s.radius * (s.stop ? stop_scale : 1.0)) {
+        const auto at =
+            s.curvature_x ? toroid_crossing(s, line, vertex) : crossing(line, vertex, radius);
+        if (!at || !(std::hypot(at->y, at->z) <= s.radius * (s.stop ? stop_scale : 1.0))) {
             return std::nullopt;
         }
-        const V3d normal =
-            radius == 0.0 ? V3d(1.0, 0.0, 0.0) : (*at - V3d(vertex + radius, 0.0, 0.0)) / radius;
+        const V3d normal = s.curvature_x   ? toroid_normal(s, *at, vertex)
+                           : radius == 0.0 ? V3d(1.0, 0.0, 0.0)
+                                           : (*at - V3d(vertex + radius, 0.0, 0.0)) / radius;
         const double n_after = s.behind.index(wavelength);
         const auto direction = bent(line.direction, normal, n, n_after);
         if (!direction) {

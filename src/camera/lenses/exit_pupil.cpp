@@ -27,30 +27,59 @@ double last_of(double good, double bad, const Holds& holds) {
     return good;
 }
 
-/// The directions in which light reaches one point of the sensor. The lens is symmetric, so that
-/// the point may be on the x axis; the directions are then the same for n and -n.
+/// The directions in which light reaches one point of the sensor.
 class PupilOfPoint {
 public:
-    PupilOfPoint(const LensOptics& lens, const FocusedOptics<double>& at, double p)
-        : lens_(lens), at_(at), x_(p * at.depth()) {
-        find_inside();
-    }
+    PupilOfPoint(const LensOptics& lens, const FocusedOptics<double>& at, double x, double y)
+        : lens_(lens), at_(at), point_{x * at.depth(), y * at.depth()} {}
 
     [[nodiscard]] bool passes(const Direction& d) const {
         const auto ray = trace(d);
         return ray && ray->passed;
     }
-    [[nodiscard]] const std::optional<double>& inside() const { return inside_; }
 
-    /// Points of its border, by bisection from a point inside: holes and their images are convex.
-    [[nodiscard]] std::vector<Direction> border() const {
-        constexpr int count = 48;
+    /// Of a point beside the axis, or above it, where the lens is symmetric: the direction through
+    /// the middle of the stop, or any other that passes, among those to the hole of the last
+    /// surface; its rim is not in the plane of its vertex.
+    [[nodiscard]] std::optional<Direction> inside(std::size_t axis) const {
+        constexpr int count = 128;
+        constexpr double around = 1.5;
+        const double hole = around * lens_.surfaces.back().shape.radius;
+        std::optional<Direction> found;
+        std::optional<std::array<double, 2>> last;  // The slope, and where it crosses the stop.
+        for (int i = 0; i <= count; ++i) {
+            const double across = hole * (2.0 * i / count - 1.0) - point_[axis];
+            const double slope = across / std::hypot(across, at_.depth());
+            const auto here = at_stop(axis, slope);
+            if (here && last && std::signbit(*here) != std::signbit((*last)[1])) {
+                const double middle = last_of((*last)[0], slope, [&](double between) {
+                    const auto there = at_stop(axis, between);
+                    return there && std::signbit(*there) == std::signbit((*last)[1]);
+                });
+                if (passes(along(axis, middle))) {
+                    return along(axis, middle);
+                }
+            }
+            if (passes(along(axis, slope))) {
+                found = along(axis, slope);
+            }
+            last = here ? std::optional(std::array{slope, *here}) : std::nullopt;
+        }
+        return found;
+    }
+
+    /// Points of the border, by bisection from a point inside: holes and their images are convex.
+    /// They go round it; or, from an axis that the point is on, half round it, which is symmetric.
+    [[nodiscard]] std::vector<Direction> border(const Direction& inside,
+                                                std::optional<std::size_t> axis = {}) const {
+        constexpr int count = 96;
         constexpr double outside = 2.0;
         std::vector<Direction> found;
-        for (int i = 0; i <= count && inside_; ++i) {
-            const double angle = std::numbers::pi * i / count;
+        for (int i = 0; i <= (axis ? count / 2 : count - 1); ++i) {
+            const double angle =
+                2.0 * std::numbers::pi * i / count + (axis == 1 ? 0.5 * std::numbers::pi : 0.0);
             const auto at = [&](double t) {
-                return Direction{*inside_ + t * std::cos(angle), t * std::sin(angle)};
+                return Direction{inside[0] + t * std::cos(angle), inside[1] + t * std::sin(angle)};
             };
             found.push_back(at(last_of(0.0, outside, [&](double t) { return passes(at(t)); })));
         }
@@ -58,72 +87,63 @@ public:
     }
 
 private:
+    [[nodiscard]] static Direction along(std::size_t axis, double slope) {
+        return axis == 0 ? Direction{slope, 0.0} : Direction{0.0, slope};
+    }
     [[nodiscard]] std::optional<LensPath<double>> trace(const Direction& d) const {
         const double square = d[0] * d[0] + d[1] * d[1];
         if (!(square < 1.0)) {
             return std::nullopt;
         }
-        return traced(lens_, at_, {x_, 0.0}, {d[0], d[1], std::sqrt(1.0 - square)});
+        return traced(lens_, at_, point_, {d[0], d[1], std::sqrt(1.0 - square)});
     }
     /// Where the ray crosses the plane of the stop, if it gets there.
-    [[nodiscard]] std::optional<double> at_stop(double m) const {
-        const auto ray = trace({m, 0.0});
-        return ray && ray->refracted ? std::optional(ray->at_stop[0]) : std::nullopt;
-    }
-
-    // The ray through the middle of the stop, or any other that passes, among those to the hole of
-    // the last surface; its rim is not in the plane of its vertex.
-    void find_inside() {
-        constexpr int count = 128;
-        constexpr double around = 1.5;
-        const double hole = around * lens_.surfaces.back().shape.radius;
-        std::optional<std::array<double, 2>> last;  // m and where it crosses the stop
-        for (int i = 0; i <= count; ++i) {
-            const double across = hole * (2.0 * i / count - 1.0) - x_;
-            const double m = across / std::hypot(across, at_.depth());
-            const auto here = at_stop(m);
-            if (here && last && std::signbit(*here) != std::signbit((*last)[1])) {
-                const double middle = last_of((*last)[0], m, [&](double between) {
-                    const auto there = at_stop(between);
-                    return there && std::signbit(*there) == std::signbit((*last)[1]);
-                });
-                if (passes({middle, 0.0})) {
-                    inside_ = middle;
-                    return;
-                }
-            }
-            if (passes({m, 0.0})) {
-                inside_ = m;
-            }
-            last = here ? std::optional(std::array{m, *here}) : std::nullopt;
-        }
+    [[nodiscard]] std::optional<double> at_stop(std::size_t axis, double slope) const {
+        const auto ray = trace(along(axis, slope));
+        return ray && ray->refracted ? std::optional(ray->at_stop[axis]) : std::nullopt;
     }
 
     const LensOptics& lens_;
     const FocusedOptics<double>& at_;
-    double x_;
-    std::optional<double> inside_;
+    std::array<double, 2> point_;
 };
 
-/// sin θ of the direction from a point of the sensor to the middle of the last surface.
-double sine_of(double p) { return p / std::hypot(1.0, p); }
-
-/// The middle of a border, which is symmetric.
-double middle_of(const std::vector<Direction>& border) {
-    const auto [least, most] = std::minmax_element(border.begin(), border.end());
-    return 0.5 * ((*least)[0] + (*most)[0]);
+/// The extent of a border along an axis.
+std::array<double, 2> extent_of(const std::vector<Direction>& border, std::size_t axis) {
+    const auto [least, most] = std::minmax_element(
+        border.begin(), border.end(),
+        [axis](const Direction& a, const Direction& b) { return a[axis] < b[axis]; });
+    return {(*least)[axis], (*most)[axis]};
 }
 
-/// p of the farthest point that light reaches.
-double farthest(const LensOptics& lens, const FocusedOptics<double>& at) {
+/// The pupil of a point in the direction (x, y) from the axis, from where the direction to the
+/// middle of the last surface has the slope s.
+PupilOfPoint pupil_at(const LensOptics& lens, const FocusedOptics<double>& at,
+                      const Direction& toward, double s) {
+    const double p = s / std::sqrt(1.0 - s * s);
+    return {lens, at, p * toward[0], p * toward[1]};
+}
+
+constexpr std::array<Direction, 2> axes{{{1.0, 0.0}, {0.0, 1.0}}};
+
+std::optional<std::size_t> axis_of(const Direction& toward) {
+    return toward == axes[0]   ? std::optional<std::size_t>(0)
+           : toward == axes[1] ? std::optional<std::size_t>(1)
+                               : std::nullopt;
+}
+
+/// The slope of the farthest point on an axis that light reaches, up to 87 degrees.
+double farthest(const LensOptics& lens, const FocusedOptics<double>& at, std::size_t axis) {
     constexpr double step = 0.05;
-    constexpr double limit = 20.0;
-    const auto lit = [&](double p) { return PupilOfPoint(lens, at, p).inside().has_value(); };
-    double p = step;
-    while (p < limit && lit(p)) {
-        p += step;
+    constexpr double limit = 0.9986;
+    const auto lit = [&](double s) {
+        return pupil_at(lens, at, axes[axis], s).inside(axis).has_value();
+    };
+    double s = step;
+    while (s < limit && lit(s)) {
+        s = std::min(s + step, limit);
     }
-    return last_of(p - step, p, lit);
+    return last_of(std::max(s - step, 0.0), s, lit);
 }
 
 /// Slopes of a table's values at equal steps, by differences.
@@ -138,49 +158,115 @@ std::vector<double> slopes_of(const std::vector<double>& values, double step) {
     return slopes;
 }
 
+constexpr int cells = 12;
+
+/// The slopes at knots of the tables, equal steps of their square, and between them. In the middle
+/// itself h s is 0.
+double slope_at(double largest_square, double knot) {
+    const double step = largest_square / cells;
+    return std::sqrt(std::max(step * knot, 1e-6 * step));
+}
+
+expr::Table middles(const LensOptics& lens, const FocusedOptics<double>& at, std::size_t axis,
+                    double largest_square) {
+    std::vector<double> values;
+    for (int i = 0; i <= cells; ++i) {
+        const double s = slope_at(largest_square, i == cells ? cells - 1e-3 : i);
+        const PupilOfPoint pupil = pupil_at(lens, at, axes[axis], s);
+        const auto inside = pupil.inside(axis);
+        if (!inside) {
+            values.push_back(values.back());
+            continue;
+        }
+        const auto [least, most] = extent_of(pupil.border(*inside, axis), axis);
+        values.push_back(-0.5 * (least + most) / s);
+    }
+    return expr::hermite_table(0.0, largest_square, values,
+                               slopes_of(values, largest_square / cells));
+}
+
+/// The first half axis of ellipses that are as wide as the pupils of all points in one direction
+/// from the axis; the second one is it times the ratio.
+double half_axis(const ExitPupil& pupils, double ratio, const LensOptics& lens,
+                 const FocusedOptics<double>& at, const Direction& toward) {
+    constexpr double margin = 1.01;  // For corners of a border between two of its points.
+    double widest = 0.0;
+    for (int i = 0; i <= 2 * cells; ++i) {
+        const double s = slope_at(pupils.largest_square, 0.5 * i);
+        const Direction middle{-s * toward[0] * pupils.middle[0](s * s),
+                               -s * toward[1] * pupils.middle[1](s * s)};
+        const PupilOfPoint pupil = pupil_at(lens, at, toward, s);
+        const auto axis = axis_of(toward);
+        const auto inside = axis                   ? pupil.inside(*axis)
+                            : pupil.passes(middle) ? std::optional(middle)
+                                                   : std::nullopt;
+        if (!inside) {
+            continue;
+        }
+        for (const Direction& d : pupil.border(*inside, axis)) {
+            widest = std::max(widest, std::hypot(d[0] - middle[0], (d[1] - middle[1]) / ratio));
+        }
+    }
+    return margin * at.depth() * widest;
+}
+
+/// How much higher than wide the pupil of the middle of the sensor is.
+double ratio_of(const LensOptics& lens, const FocusedOptics<double>& at) {
+    const PupilOfPoint middle = pupil_at(lens, at, axes[0], 0.0);
+    const auto border = middle.border(*middle.inside(0));
+    const auto [left, right] = extent_of(border, 0);
+    const auto [low, high] = extent_of(border, 1);
+    return (high - low) / (right - left);
+}
+
+/// The directions from the axis in which pupils are found: all are the same unless the lens is
+/// anamorphic, and then those in a quarter.
+std::vector<Direction> directions_of(bool anamorphic) {
+    constexpr int count = 4;
+    std::vector<Direction> made{axes[0]};
+    for (int i = 1; anamorphic && i < count; ++i) {
+        const double angle = 0.5 * std::numbers::pi * i / count;
+        made.push_back({std::cos(angle), std::sin(angle)});
+    }
+    if (anamorphic) {
+        made.push_back(axes[1]);
+    }
+    return made;
+}
+
 }  // namespace
 
-std::optional<ExitPupil> find_exit_pupil(const LensOptics& lens,
+std::optional<ExitPupil> find_exit_pupil(const LensOptics& with_blades,
                                          const std::optional<FocusingGroup>& group,
                                          std::span<const double> vergences) {
-    constexpr int cells = 12;
-    constexpr double margin = 1.01;  // For corners of a border between two of its points.
+    LensOptics lens = with_blades;
+    lens.blades = {};  // They are inside of a circle, which is symmetric.
+    const bool anamorphic =
+        std::any_of(lens.surfaces.begin(), lens.surfaces.end(),
+                    [](const RefractingSurface& s) { return s.shape.curvature_x.has_value(); });
+    const std::size_t axis_count = anamorphic ? 2 : 1;
     ExitPupil made;
     for (const double vergence : vergences) {
         const FocusedOptics<double> at = focused(lens, group, vergence);
-        if (!at.valid || !(at.depth() > 0.0) || !PupilOfPoint(lens, at, 0.0).inside().has_value()) {
+        if (!at.valid || !(at.depth() > 0.0) || !pupil_at(lens, at, axes[0], 0.0).inside(0)) {
             return std::nullopt;
         }
-        made.largest_square =
-            std::max(made.largest_square, std::pow(sine_of(farthest(lens, at)), 2));
-    }
-    // At knots of the table, equal steps of sin² θ, and between them. In the middle itself h sin θ
-    // is 0.
-    const double step = made.largest_square / cells;
-    const auto p_at = [&](double knot) {
-        const double square = std::max(step * knot, 1e-6 * step);
-        return std::sqrt(square / (1.0 - square));
-    };
-    const FocusedOptics<double> first = focused(lens, group, vergences.front());
-    std::vector<double> values;
-    for (int i = 0; i <= cells; ++i) {
-        const double p = p_at(i == cells ? cells - 1e-3 : i);
-        const auto border = PupilOfPoint(lens, first, p).border();
-        values.push_back(border.empty() ? values.back() : -middle_of(border) / sine_of(p));
-    }
-    made.middle = expr::hermite_table(0.0, made.largest_square, values, slopes_of(values, step));
-    for (const double vergence : vergences) {
-        const FocusedOptics<double> at = focused(lens, group, vergence);
-        for (int i = 0; i <= 2 * cells; ++i) {
-            const double p = p_at(0.5 * i);
-            const double sine = sine_of(p);
-            const double middle = -sine * made.middle(sine * sine);
-            for (const Direction& d : PupilOfPoint(lens, at, p).border()) {
-                made.radius =
-                    std::max(made.radius, margin * at.depth() * std::hypot(d[0] - middle, d[1]));
-            }
+        for (std::size_t axis = 0; axis < axis_count; ++axis) {
+            made.largest_square =
+                std::max(made.largest_square, std::pow(farthest(lens, at, axis), 2));
         }
     }
+    const FocusedOptics<double> first = focused(lens, group, vergences.front());
+    made.middle[0] = middles(lens, first, 0, made.largest_square);
+    made.middle[1] = anamorphic ? middles(lens, first, 1, made.largest_square) : made.middle[0];
+    const double ratio = anamorphic ? ratio_of(lens, first) : 1.0;
+    for (const double vergence : vergences) {
+        const FocusedOptics<double> at = focused(lens, group, vergence);
+        for (const Direction& toward : directions_of(anamorphic)) {
+            made.radius[0] = std::max(made.radius[0], half_axis(made, ratio, lens, at, toward));
+        }
+    }
+    made.radius[1] = ratio * made.radius[0];
     return made;
 }
 

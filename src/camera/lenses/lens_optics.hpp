@@ -63,6 +63,8 @@ struct LensOptics {
 
 [[nodiscard]] LensOptics optics_of(const Prescription& lens, double wavelength,
                                    double focusing_wavelength);
+/// Makes the stop as wide as an f-number says, if it is wider.
+void narrow_stop(LensOptics& lens, const ParaxialLens& paraxial, double f_number);
 
 // ------------------------------------------------------------------------------ near the axis
 
@@ -244,9 +246,75 @@ Profile<Number> profile_at(const LensSurface& s, const Number& h2) {
     return {c * h2 / (1.0 + root) + h2 * h2 * height, c / root + h2 * slope, 0.0 < square};
 }
 
-/// The steps of Newton's iteration to a surface that is not spherical, from its conic, and how far
-/// in millimetres the point may be off the surface afterwards. Each step squares the error, so that
-/// few rays need more than two; one that is farther off misses the lens.
+/// A surface at a point (x, y).
+template <class Number>
+struct Height {
+    Number height;      ///< Towards the scene.
+    Number by_x, by_y;  ///< Its derivatives.
+    Truth<Number> exists;
+};
+
+/// With the height p of the profile at y and k the horizontal curvature, a toroidal surface is a
+/// circle of curvature k/(1 - k p) at the height p: k z² - 2 z = k p² - 2 p - k x², which is solved
+/// so that nothing cancels where k is small.
+template <class Number>
+Height<Number> height_at(const LensSurface& s, const Number& x, const Number& y) {
+    using std::max;
+    using std::sqrt;
+    if (!s.curvature_x) {
+        const Profile<Number> p = profile_at(s, Number(x * x + y * y));
+        return {p.height, p.slope * x, p.slope * y, p.exists};
+    }
+    const double k = -*s.curvature_x;
+    const Profile<Number> p = profile_at(s, Number(y * y));
+    const Number width = 1.0 - k * p.height;
+    const Number square = width * width - k * k * (x * x);
+    const Number root = sqrt(max(square, like(x, 0.0)));
+    return {(p.height * (1.0 + width) + k * (x * x)) / (1.0 + root), k * x / root,
+            width * (p.slope * y) / root, p.exists && 0.0 < square && 0.0 < width};
+}
+
+/// The quadric a x² + b y² + c z² = 2 z that a surface is, or is near to at its vertex.
+struct Quadric {
+    double x, y, z;
+    bool exact;  ///< Whether the surface is nothing else.
+
+    /// x a + y b, without what is 0.
+    template <class Number>
+    [[nodiscard]] Number weighted(const Number& a, const Number& b) const {
+        return x == y ? x * (a + b) : x == 0.0 ? y * b : y == 0.0 ? x * a : x * a + y * b;
+    }
+    /// Of a unit vector, by its length where the surface is one of revolution.
+    template <class Number>
+    [[nodiscard]] Number along(const std::array<Number, 3>& d) const {
+        if (x != y) {
+            return weighted(d[0] * d[0], d[1] * d[1]) + z * (d[2] * d[2]);
+        }
+        return x == z ? like(d[2], x) : x + (z - x) * (d[2] * d[2]);
+    }
+    [[nodiscard]] bool is_plane() const { return exact && x == 0.0 && y == 0.0; }
+    /// Spheres and round cylinders: (x, y, z) from their centre or axis is as long as their radius.
+    [[nodiscard]] bool is_round() const {
+        return exact && (x == z || x == 0.0) && (y == z || y == 0.0);
+    }
+};
+
+inline Quadric quadric_of(const LensSurface& s) {
+    const double c = -s.curvature;
+    const double of_z = c * (1.0 + s.conic);
+    if (!s.curvature_x) {
+        return {c, c, of_z, !s.is_aspheric()};
+    }
+    const double k = -*s.curvature_x;
+    const bool upright = c == 0.0 && !s.is_aspheric();
+    const bool level = k == 0.0 && !s.is_aspheric();
+    const double of_height = upright ? k : k == 0.0 ? of_z : 0.5 * (k + of_z);
+    return {k, c, of_height, upright || level};
+}
+
+/// The steps of Newton's iteration to a surface that is no quadric, from one near to it, and how
+/// far in millimetres the point may be off the surface afterwards. Each step squares the error, so
+/// that few rays need more than two; one that is farther off misses the lens.
 inline constexpr int newton_steps = 4;
 inline constexpr double newton_tolerance = 1e-9;
 
@@ -259,7 +327,7 @@ struct Meeting {
     Truth<Number> exists;
 };
 
-/// From where the ray crosses the plane through the vertex to the conic, in closed form (Spencer
+/// From where the ray crosses the plane through the vertex to the quadric, in closed form (Spencer
 /// and Murty, "General Ray-Tracing Procedure", 1962); for other surfaces from there by Newton's
 /// iteration.
 template <class Number>
@@ -273,32 +341,34 @@ Meeting<Number> meeting_of(const LensSurface& s, const std::array<Number, 2>& in
     const Number& dy = direction[1];
     const Number& dz = direction[2];
     const Number zero = like(dz, 0.0);
-    const double c = -s.curvature;
-    if (c == 0.0 && !s.is_aspheric()) {
+    const Quadric quadric = quadric_of(s);
+    if (quadric.is_plane()) {
         return {{x, y, zero}, {zero, zero, like(dz, 1.0)}, dz, always(dz)};
     }
-    const Number f = c * (x * x + y * y);
-    const Number g = dz - c * (x * dx + y * dy);
-    const Number a = s.conic == 0.0 ? like(dz, c) : c * (1.0 + s.conic * (dz * dz));
+    const Number f = quadric.weighted(x * x, y * y);
+    const Number g = dz - quadric.weighted(x * dx, y * dy);
+    const Number a = quadric.along(direction);
     const Number square = g * g - a * f;
     const Number cosine = sqrt(max(square, zero));
     Number t = f / (g + cosine);
     std::array<Number, 3> q{x + t * dx, y + t * dy, t * dz};
-    if (s.conic == 0.0 && !s.is_aspheric()) {
-        return {q, {-(c * q[0]), -(c * q[1]), 1.0 - c * q[2]}, cosine, 0.0 < square};
+    if (quadric.is_round()) {
+        return {q,
+                {-(quadric.x * q[0]), -(quadric.y * q[1]), 1.0 - quadric.z * q[2]},
+                cosine,
+                0.0 < square};
     }
-    Profile<Number> profile = profile_at(s, Number(q[0] * q[0] + q[1] * q[1]));
-    for (int i = 0; s.is_aspheric() && i < newton_steps; ++i) {
-        t = t - (q[2] - profile.height) / (dz - profile.slope * (q[0] * dx + q[1] * dy));
+    Height<Number> here = height_at(s, q[0], q[1]);
+    for (int i = 0; !quadric.exact && i < newton_steps; ++i) {
+        t = t - (q[2] - here.height) / (dz - (here.by_x * dx + here.by_y * dy));
         q = {x + t * dx, y + t * dy, t * dz};
-        profile = profile_at(s, Number(q[0] * q[0] + q[1] * q[1]));
+        here = height_at(s, q[0], q[1]);
     }
-    const Number off = q[2] - profile.height;
-    const Number length = sqrt(1.0 + profile.slope * profile.slope * (q[0] * q[0] + q[1] * q[1]));
-    const std::array<Number, 3> normal{-(profile.slope * q[0]) / length,
-                                       -(profile.slope * q[1]) / length, 1.0 / length};
+    const Number off = q[2] - here.height;
+    const Number length = sqrt(1.0 + here.by_x * here.by_x + here.by_y * here.by_y);
+    const std::array<Number, 3> normal{-here.by_x / length, -here.by_y / length, 1.0 / length};
     return {q, normal, dx * normal[0] + dy * normal[1] + dz * normal[2],
-            0.0 < square && profile.exists && off * off < newton_tolerance * newton_tolerance};
+            0.0 < square && here.exists && off * off < newton_tolerance * newton_tolerance};
 }
 
 /// Takes a ray to a surface and through it.

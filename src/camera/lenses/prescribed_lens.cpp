@@ -57,7 +57,8 @@ public:
         std::optional<FocusingGroup> group;
         std::optional<Scalar> sensor;
         Scalar unit;
-        ParaxialLens paraxial;
+        ParaxialLens paraxial;     ///< In the vertical plane.
+        double horizontal_length;  ///< The focal length in the horizontal one.
     };
     explicit PrescribedLens(Parts parts) : parts_(std::move(parts)) {}
 
@@ -75,25 +76,34 @@ public:
         emit.require(at.valid);
         const Expr depth = at.depth();
         const Expr scale =
-            parts_.sensor ? emit(*parts_.sensor) / frame.width : emit(parts_.paraxial.focal_length);
-        const std::array<Expr, 2> sensor{-(scale * frame.tangent.x), -(scale * frame.tangent.y)};
+            parts_.sensor ? emit(*parts_.sensor) / frame.width : emit(parts_.horizontal_length);
+        const double ratio = parts_.paraxial.focal_length / parts_.horizontal_length;
+        const std::array<Expr, 2> sensor{-(scale * frame.tangent.x),
+                                         -(ratio * scale * frame.tangent.y)};
         const Expr distance = sqrt(depth * depth + sensor[0] * sensor[0] + sensor[1] * sensor[1]);
         const std::array<Expr, 2> s{sensor[0] / distance, sensor[1] / distance};
         const Expr square_of_s = s[0] * s[0] + s[1] * s[1];
         const Expr lit = square_of_s <= pupil->largest_square;
-        const Expr h = emit.graph().lookup(std::make_shared<const expr::Table>(pupil->middle),
-                                           min(square_of_s, emit(pupil->largest_square)));
+        const auto middle = [&](std::size_t axis) {
+            return -(s[axis] *
+                     emit.graph().lookup(std::make_shared<const expr::Table>(pupil->middle[axis]),
+                                         min(square_of_s, emit(pupil->largest_square))));
+        };
+        const std::array<Expr, 2> center{middle(0), middle(1)};
         const auto ray = [&](const Expr& m, const Expr& n) {
             LensRay made =
-                through(frame, central.origin, at, sensor, {m - h * s[0], n - h * s[1]}, emit);
+                through(frame, central.origin, at, sensor, {m + center[0], n + center[1]}, emit);
             made.valid = lit && made.valid;
             made.blocked = !made.valid;
             return made;
         };
         const PolarPoint on = on_disc(square, emit);
-        const Expr radius = pupil->radius / depth * on.radius;
+        const auto half_axis = [&](std::size_t axis) {
+            return pupil->radius[axis] / depth * on.radius;
+        };
         const Expr zero = emit(0.0);
-        return {ray(radius * cos(on.angle), radius * sin(on.angle)), {}, ray(zero, zero)};
+        return {
+            ray(half_axis(0) * cos(on.angle), half_axis(1) * sin(on.angle)), {}, ray(zero, zero)};
     }
 
 private:
@@ -144,15 +154,13 @@ private:
 
 // ------------------------------------------------------------------------------ the arguments
 
-std::optional<Diagnostic> narrow_stop(LensOptics& optics, const ParaxialLens& paraxial,
-                                      double f_number) {
+std::optional<Diagnostic> too_wide(const ParaxialLens& paraxial, double f_number) {
     const double widest = paraxial.f_number();
     if (f_number < widest * (1.0 - 1e-6)) {
         return error(
             fmt::format("f/{:.3g} is wider than this lens, which is f/{:.3g}", f_number, widest),
             {}, "write a larger f_number, or leave it out");
     }
-    optics.surfaces[optics.stop].shape.radius *= std::min(1.0, widest / f_number);
     return std::nullopt;
 }
 
@@ -182,7 +190,8 @@ StageResult make_prescribed_lens(const Arguments& a) {
                                 {},
                                 {},
                                 a.number("unit"),
-                                paraxial(*prescription)};
+                                paraxial(*prescription),
+                                paraxial(horizontal_section(*prescription)).focal_length};
     auto group = group_of(a, prescription->surfaces.size());
     if (!group) {
         return group.diagnostics;
@@ -192,9 +201,10 @@ StageResult make_prescribed_lens(const Arguments& a) {
         parts.sensor = a.number("sensor");
     }
     if (a.has("f_number")) {
-        if (auto fault = narrow_stop(parts.optics, parts.paraxial, a.constant("f_number"))) {
+        if (auto fault = too_wide(parts.paraxial, a.constant("f_number"))) {
             return *std::move(fault);
         }
+        narrow_stop(parts.optics, parts.paraxial, a.constant("f_number"));
     }
     parts.optics.defocus = a.constant("defocus");
     parts.optics.blades = {a.count("blades"), a.constant("rotation")};
@@ -216,6 +226,7 @@ std::vector<StageEntry> prescribed_lenses() {
 from P = −F (x, y) on the sensor in the direction (m, n, √(1 − m² − n²))
 (x, y)   the tangents of the pinhole's ray
 F   the focal length, or sensor divided by the width of the tangents
+    upwards times the ratio of the focal lengths, if the lens is anamorphic
 (m, n) = −h P/|P − Q| + ρ (a, b)      (a, b)   a point of the unit disc
 Q   the middle of the last surface,   h, ρ   so that the disc has what passes
 at each surface   d′ = n/n′ d + (√(1 − (n/n′)² (1 − c²)) − n/n′ c) N,   c = d·N

@@ -121,15 +121,25 @@ private:
     bool curvature(const LensWord& word, LensSurface& made) {
         if (word.text == "stop") {
             made.stop = true;
-        } else if (word.text != "plane" && word.text != "inf") {
-            const auto radius = lens_number(word, found_);
-            if (!radius) {
-                return false;
-            }
-            made.stop = *radius == 0.0;
-            made.curvature = *radius == 0.0 ? 0.0 : 1.0 / (unit_ * *radius);
+            return true;
         }
-        return true;
+        const auto read = curvature_of(word);
+        made.stop = !is_plane(word) && read == 0.0;
+        made.curvature = read.value_or(0.0);
+        return read.has_value();
+    }
+
+    static bool is_plane(const LensWord& word) {
+        return word.text == "plane" || word.text == "inf";
+    }
+
+    // 0 for a plane, whose radius may be written as 0.
+    std::optional<double> curvature_of(const LensWord& word) {
+        if (is_plane(word)) {
+            return 0.0;
+        }
+        const auto radius = lens_number(word, found_);
+        return radius ? std::optional(*radius == 0.0 ? 0.0 : 1.0 / (unit_ * *radius)) : radius;
     }
 
     bool medium(const LensWord& word, LensSurface& made) {
@@ -173,7 +183,7 @@ private:
         return abbe.has_value();
     }
 
-    // stop, conic=-1, a4=2e-5, ...
+    // stop, conic=-1, a4=2e-5, radius_x=plane, ...
     bool further(const LensWord& word, LensSurface& made) {
         if (word.text == "stop") {
             made.stop = true;
@@ -183,12 +193,18 @@ private:
         const std::string_view name = word.text.substr(0, sign);
         static constexpr std::array terms{"a4", "a6", "a8", "a10", "a12"};
         const auto* term = std::find(terms.begin(), terms.end(), name);
-        if (sign == word.text.npos || (name != "conic" && term == terms.end())) {
+        if (sign == word.text.npos ||
+            (name != "conic" && name != "radius_x" && term == terms.end())) {
             fault(word.span, fmt::format("a surface has no '{}'", printable(word.text)),
-                  "write stop, conic=-1, or a4=2e-5 and so on to a12");
+                  "write stop, conic=-1, radius_x=plane, or a4=2e-5 and so on to a12");
             return false;
         }
-        const auto value = lens_number({word.text.substr(sign + 1), word.span}, found_);
+        const LensWord behind{word.text.substr(sign + 1), word.span};
+        if (name == "radius_x") {
+            made.curvature_x = curvature_of(behind);
+            return made.curvature_x.has_value();
+        }
+        const auto value = lens_number(behind, found_);
         if (!value) {
             return false;
         }

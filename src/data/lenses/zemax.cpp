@@ -44,7 +44,8 @@ public:
 private:
     struct Surface {
         LensSurface shape{};
-        bool even = false;  ///< Its parameters are coefficients.
+        bool even = false;      ///< Its parameters are coefficients.
+        bool toroidal = false;  ///< The same behind the first one, a radius.
     };
 
     void fault(const SourceSpan& span, std::string message, std::string remedy) {
@@ -88,21 +89,29 @@ private:
     void type(const LensLine& line, Surface& surface) {
         const std::string_view name = line.size() > 1 ? line[1].text : "";
         surface.even = name == "EVENASPH";
-        if (name != "STANDARD" && name != "EVENASPH") {
+        surface.toroidal = name == "TOROIDAL";
+        if (surface.toroidal) {
+            surface.shape.curvature_x = 0.0;
+        } else if (name != "STANDARD" && name != "EVENASPH") {
             fault(span_of(line),
                   fmt::format("surfaces of the type '{}' are not supported", printable(name)),
-                  "STANDARD and EVENASPH are");
+                  "STANDARD, EVENASPH and TOROIDAL are");
         }
     }
 
-    // PARM i: the coefficient of h to the power 2 i.
+    // PARM i: the coefficient of h to the power 2 i; of a toroidal surface, the horizontal radius,
+    // and behind it the coefficient of h to the power 2 i - 2.
     void parameter(const LensLine& line, Surface& surface) {
         const auto index = number(line, 1);
         const auto value = number(line, 2);
-        if (!surface.even || !index || !value || *value == 0.0) {
+        if (!(surface.even || surface.toroidal) || !index || !value || *value == 0.0) {
             return;
         }
-        const double place = *index - 2.0;
+        if (surface.toroidal && *index == 1.0) {
+            surface.shape.curvature_x = 1.0 / (unit_ * *value);
+            return;
+        }
+        const double place = *index - (surface.toroidal ? 3.0 : 2.0);
         auto& terms = surface.shape.aspheric;
         if (place < 0.0 || place >= static_cast<double>(terms.size()) ||
             place != std::floor(place)) {
