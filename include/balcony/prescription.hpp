@@ -110,4 +110,26 @@ struct ParaxialLens {
 /// Of a lens that check() finds nothing wrong with.
 [[nodiscard]] ParaxialLens paraxial(const Prescription& lens, double wavelength = line_d);
 
+/// Light of a point that is far away, through a lens that is focused there for the line d.
+struct SpotOptions {
+    /// Where the light comes from: the tangents of its angle to the right of the axis and above it.
+    std::array<double, 2> field{};
+    double wavelength = line_d;
+    std::optional<double> f_number{};  ///< Without it, the stop is as wide as it is.
+    double defocus = 0.0;              ///< How far behind its focus the sensor is.
+};
+
+/// Where this light arrives.
+struct Spot {
+    /// The centroid on the sensor, in the axes of `field`: of an image, which is upside down, the
+    /// negative tangent times the focal length, and distortion.
+    std::array<double, 2> middle{};
+    double rms_radius = 0.0;  ///< The root of the mean square of the distance from the centroid.
+    double area = 0.0;  ///< Of the light that passes, at right angles to it in front of the lens.
+};
+
+/// By tracing some 10,000 rays, all of which carry the same part of the light, through a lens that
+/// check() finds nothing wrong with. Nothing if none passes.
+[[nodiscard]] std::optional<Spot> spot_of(const Prescription& lens, const SpotOptions& options);
+
 }  // namespace balcony::camera
