@@ -72,6 +72,8 @@ export interface Parameter {
 export interface ParameterValue {
     parameter: string;
     value: number;
+    /** Decides on the digits that are written; all of them without one. */
+    step?: number;
 }
 
 export interface CameraState {
@@ -155,6 +157,41 @@ export interface HandleMove {
 export interface EditsOfText {
     edits: TextEdit[];
     version: number;
+}
+
+export type Triple = [number, number, number];
+
+/** The ray of a pixel of the full size, and what it meets. */
+export interface Seen {
+    ray: { layer: string; origin: Triple; direction: Triple; u: number; v: number } | null;
+    hit: { object: string; material: string; distance: number; point: Triple; magnification: number } | null;
+}
+
+export interface PicturePlace extends Seen {
+    x: number;
+    y: number;
+}
+
+/** A point of the scene, or the direction to one, that is pulled from one pixel to another. */
+export interface Pull {
+    point: Triple;
+    infinite?: boolean;
+    from: [number, number];
+    to: [number, number];
+}
+
+export interface DragPoint {
+    at: [number, number] | null;
+    miss: number;
+    follows: boolean;
+}
+
+export interface Dragged {
+    change: number;
+    values: ParameterValue[];
+    points: DragPoint[];
+    diagnostics: FileDiagnostic[];
+    seconds: number;
 }
 
 export interface NewText {

@@ -14,6 +14,7 @@ import {
     type CameraState,
     type CodeAction,
     type DocumentSymbol,
+    type Dragged,
     type EditsOfText,
     type FileDiagnostic,
     type FrameHead,
@@ -22,8 +23,11 @@ import {
     type NewText,
     type Parameter,
     type ParameterValue,
+    type PicturePlace,
     protocol,
+    type Pull,
     type SceneState,
+    type Seen,
     type TextEdit,
     type ViewChange,
 } from "./protocol";
@@ -42,6 +46,10 @@ export interface Page {
     show(head: FrameHead, bytes: Uint8Array): Promise<boolean>;
     /** Something to read once. */
     say(words: string, isMistake?: boolean): void;
+    /** What became of what a hand pulls. */
+    dragged(told: Dragged): void;
+    /** The picture will not change by itself. */
+    rested(): void;
     /** Something else has changed. */
     changed(): void;
 }
@@ -212,7 +220,11 @@ export class Session implements Listener {
             this.isAtRest = false;
             this.showProblems();
         },
-        "view/rest": () => (this.isAtRest = true),
+        "view/dragged": (told: Dragged) => this.page.dragged(told),
+        "view/rest": () => {
+            this.isAtRest = true;
+            this.page.rested();
+        },
     };
 
     async frame(head: FrameHead, bytes: Uint8Array): Promise<void> {
@@ -322,6 +334,24 @@ export class Session implements Listener {
         const number = this.connection.request<{ change: number }>("view/change", change);
         // A new size or camera is not what a hand waits for.
         if (change.values) this.latency.begin(number.then(({ change }) => change));
+        else number.catch(() => {}); // Of a lost connection.
+    }
+
+    /** What stands at a pixel of the full size; null if nobody knows. */
+    async at([x, y]: [number, number]): Promise<PicturePlace | null> {
+        try {
+            return { x, y, ...(await this.connection.request<Seen>("view/at", { x, y })) };
+        } catch {
+            return null; // Of a lost connection, or there is no picture.
+        }
+    }
+
+    /** A hand pulls at the picture, and these parameters follow. */
+    drag(pulls: Pull[], parameters: string[]): void {
+        if (this.link !== "open") return;
+        this.isAtRest = false;
+        const number = this.connection.request<{ change: number }>("view/drag", { pulls, parameters });
+        if (pulls.length > 0) this.latency.begin(number.then(({ change }) => change));
         else number.catch(() => {}); // Of a lost connection.
     }
 

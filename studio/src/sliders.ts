@@ -16,15 +16,20 @@ export class ParameterSliders extends LitElement {
     static override properties = {
         parameters: { attribute: false },
         isReadOnly: { type: Boolean },
+        canFollow: { attribute: false },
     };
     declare parameters: Parameter[];
     declare isReadOnly: boolean;
+    /** The names of those that can follow a hand on the picture. */
+    declare canFollow: string[];
     onmove: (values: ParameterValue[]) => void = () => {};
     onrest: (values: ParameterValue[]) => void = () => {};
     /** Those that were moved and are not yet in the text. */
     private moved = new Map<string, number>();
     /** A range stays while the hand moves in it. */
     private ranges = new Map<string, SliderRange>();
+    /** Those that do not follow a hand on the picture. */
+    private readonly fixed = new Set<string>();
     private isHeld = false;
     private timer = 0;
 
@@ -32,6 +37,7 @@ export class ParameterSliders extends LitElement {
         super();
         this.parameters = [];
         this.isReadOnly = false;
+        this.canFollow = [];
     }
 
     override createRenderRoot() {
@@ -48,6 +54,23 @@ export class ParameterSliders extends LitElement {
         for (const { parameter, value } of values) {
             if (this.moved.get(parameter) === value) this.moved.delete(parameter);
         }
+        this.requestUpdate();
+    }
+
+    /** Shows values that a hand on the picture has found; onrest() does not hear of them. */
+    show(values: ParameterValue[]): void {
+        clearTimeout(this.timer);
+        for (const { parameter, value } of values) this.moved.set(parameter, value);
+        this.requestUpdate();
+    }
+
+    /** Those that are to follow a hand on the picture. */
+    get following(): string[] {
+        return this.canFollow.filter((name) => !this.fixed.has(name));
+    }
+
+    private fix(name: string): void {
+        if (!this.fixed.delete(name)) this.fixed.add(name);
         this.requestUpdate();
     }
 
@@ -97,6 +120,7 @@ export class ParameterSliders extends LitElement {
         return html`
             <div class="parameter">
                 <label for=${id} title=${parameter.meaning ?? nothing}>${parameter.name}</label>
+                ${this.followButton(parameter.name)}
                 <input
                     type="range"
                     id=${id}
@@ -123,6 +147,18 @@ export class ParameterSliders extends LitElement {
                 </span>
             </div>
         `;
+    }
+
+    private followButton(name: string) {
+        if (!this.canFollow.includes(name)) return html`<span></span>`;
+        const follows = !this.fixed.has(name);
+        return html`<button
+            class="follow"
+            aria-pressed=${follows}
+            aria-label="${name} follows a hand on the picture"
+            title=${follows ? "It follows a hand on the picture" : "It stays as it is when a hand drags the picture"}
+            @click=${() => this.fix(name)}
+        ></button>`;
     }
 
     // The part of the track before the thumb. A style sheet cannot know it.

@@ -10,6 +10,7 @@ import { askForSize, confirm, showKeys } from "./dialogs";
 import type { CameraEditor } from "./editor";
 import "./editor";
 import { HandleHand } from "./handle_hand";
+import { handStep } from "./number_drag";
 import type { Problem } from "./language_server";
 import type { LivePicture } from "./picture";
 import "./picture";
@@ -17,7 +18,10 @@ import type { PictureHandles } from "./picture_handles";
 import "./picture_handles";
 import { choiceOf, sizeOf, type SizeChoice } from "./picture_size";
 import { problemList } from "./problem_list";
-import { type About, type FrameHead, type ParameterValue, Refused } from "./protocol";
+import { PictureHand } from "./picture_hand";
+import "./picture_touch";
+import { type About, type Dragged, type FrameHead, type ParameterValue, Refused } from "./protocol";
+import { seenWords } from "./seen_words";
 import { failureOf, type Page, Session } from "./session";
 import type { ParameterSliders } from "./sliders";
 import "./sliders";
@@ -42,6 +46,15 @@ export class BalconyStudio extends LitElement implements Page {
         hold: (edits) => this.editor.hold(edits),
         release: () => this.editor.release(),
         failed: (why) => this.sayFailure(why),
+    });
+
+    private lastDrag: Dragged | null = null;
+    private readonly pictureHand = new PictureHand({
+        at: (place) => this.session.at(place),
+        drag: (pulls) => this.session.drag(pulls, this.sliders.following),
+        keep: () => this.keepDrag(),
+        cancelled: () => this.sliders.forget(),
+        changed: () => this.changed(),
     });
 
     override createRenderRoot() {
@@ -117,6 +130,17 @@ export class BalconyStudio extends LitElement implements Page {
 
     show(head: FrameHead, bytes: Uint8Array): Promise<boolean> {
         return this.picture.show(head, bytes);
+    }
+
+    dragged(told: Dragged): void {
+        if (!this.pictureHand.pulled) return;
+        this.lastDrag = told;
+        this.pictureHand.told(told.points);
+        this.sliders.show(told.values);
+    }
+
+    rested(): void {
+        void this.pictureHand.refresh();
     }
 
     say(words: string, isMistake = false): void {
@@ -213,6 +237,13 @@ export class BalconyStudio extends LitElement implements Page {
         if (this.sliders.values.length > 0) this.session.changeView({ values: this.sliders.values });
     }
 
+    /** Writes what a hand on the picture has found. */
+    private async keepDrag(): Promise<void> {
+        const values = this.lastDrag?.values ?? [];
+        this.lastDrag = null;
+        if (values.length > 0) await this.write(values.map((one) => ({ ...one, step: handStep(one.value) / 100 })));
+    }
+
     private fit(): void {
         const [width, height] = sizeOf(this.size, this.session.camera?.aspect ?? 16 / 9, this.picture.room);
         if (width === this.pixels[0] && height === this.pixels[1]) return;
@@ -247,9 +278,53 @@ export class BalconyStudio extends LitElement implements Page {
     }
 
     private over() {
-        const { handles } = this.session;
-        if (!this.hasHandles || handles.length === 0) return nothing;
-        return html`<picture-handles .handles=${handles} .pixels=${this.pixels} .hand=${this.hand}></picture-handles>`;
+        const { handles, about } = this.session;
+        const hand = this.pictureHand;
+        const { seen } = hand;
+        const canDrag = this.session.can("view/drag") && about?.readOnly === false;
+        return html`
+            ${this.session.can("view/at")
+                ? html`<picture-touch
+                      .pixels=${this.pixels}
+                      .hand=${hand}
+                      .canDrag=${canDrag}
+                      .grips=${[...hand.grips]}
+                      .cursor=${hand.isKept && seen ? [seen.x, seen.y] : null}
+                  ></picture-touch>`
+                : nothing}
+            ${this.hasHandles && handles.length > 0
+                ? html`<picture-handles
+                      .handles=${handles}
+                      .pixels=${this.pixels}
+                      .hand=${this.hand}
+                  ></picture-handles>`
+                : nothing}
+            ${this.seenLine()}
+        `;
+    }
+
+    /** What stands under the hand, where the hand is not. */
+    private seenLine() {
+        const { seen, isKept, pulled } = this.pictureHand;
+        if (pulled || !seen) return nothing;
+        const isAngle = (name: string): boolean =>
+            this.session.handles.some((one) => one.parameter === name && one.numbers[0]!.angle);
+        const words = seenWords(seen, [isAngle("u"), isAngle("v")]);
+        return html`<div class="seen-at ${seen.y > 0.7 * this.pixels[1] ? "above" : ""}" aria-live=${isKept ? "polite" : "off"}>
+            ${words.map(
+                ({ name, value }) =>
+                    html`<span>${name ? html`<span class="quiet">${name}</span> ` : nothing}${value}</span>`,
+            )}
+        </div>`;
+    }
+
+    /** Why the picture does not follow the hand. */
+    private get dragWords(): string {
+        const { pulled } = this.pictureHand;
+        if (!pulled) return "";
+        const why = this.lastDrag?.diagnostics[0]?.message;
+        if (why) return why.split("\n")[0]!;
+        return pulled.told?.follows === false ? "The numbers that follow cannot bring it nearer." : "";
     }
 
     override render() {
@@ -276,7 +351,9 @@ export class BalconyStudio extends LitElement implements Page {
                     <div class="status ${words.kind}">
                         <span class="dot"></span>
                         <span id="state" role="status">${words.text}</span>
-                        ${words.advice ? html`<span class="quiet">${words.advice}</span>` : ""}
+                        ${this.dragWords || words.advice
+                            ? html`<span class="quiet" role="status">${this.dragWords || words.advice}</span>`
+                            : nothing}
                         <span class="space"></span>
                         <span class="quiet" ?hidden=${follows === null} title="From the hand to the picture, typically">
                             ${Math.round(follows ?? 0)} ms
@@ -295,6 +372,7 @@ export class BalconyStudio extends LitElement implements Page {
                         aria-label="Numbers of the camera"
                         .parameters=${session.parameters}
                         .isReadOnly=${session.about?.readOnly ?? true}
+                        .canFollow=${session.can("view/drag") ? (camera?.open ?? []).map(({ name }) => name) : []}
                     ></parameter-sliders>
                 </section>
                 ${splitter()}
