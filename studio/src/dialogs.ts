@@ -56,6 +56,17 @@ export async function askForSize(size: [number, number]): Promise<string | null>
     return answer && `${answer.get("width")}x${answer.get("height")}`;
 }
 
+export async function askForName(name: string): Promise<string | null> {
+    const answer = await ask(
+        `Another name for ${name}`,
+        html`<div class="fields">
+            <label><span>Name</span><input name="name" value=${name} required autofocus pattern="[A-Za-z_][A-Za-z_0-9]*" /></label>
+        </div>`,
+        [["rename", "Rename"]],
+    );
+    return answer && String(answer.get("name"));
+}
+
 export async function confirm(title: string, words: string, action: string): Promise<boolean> {
     return (await ask(title, html`<p>${words}</p>`, [["yes", action]])) !== null;
 }
@@ -71,7 +82,8 @@ const keys: [string, string][] = [
     ["Ctrl+Space", "show what can stand at the cursor"],
     ["Tab", "go to the next blank of a call, or leave the text"],
     ["F8", "go to the next mistake"],
-    ["F12", "go to where a name is declared"],
+    ["F12", "go to where a name is declared; with Shift, select all its places"],
+    ["F2", "give the name at the cursor another one"],
     ["Shift+Alt+F", "format the text"],
     ["Ctrl+F", "find and replace"],
     ["arrows", "move a slider by a step, a handle by a pixel; with Shift, a handle by ten"],

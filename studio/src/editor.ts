@@ -8,7 +8,7 @@ import { defaultKeymap, history, historyKeymap, isolateHistory, redo, undo } fro
 import { bracketMatching, indentOnInput, indentUnit, syntaxHighlighting } from "@codemirror/language";
 import { lintKeymap, setDiagnostics } from "@codemirror/lint";
 import { highlightSelectionMatches, searchKeymap } from "@codemirror/search";
-import { Annotation, type ChangeSet, type ChangeSpec, EditorState, Text, Transaction } from "@codemirror/state";
+import { Annotation, type ChangeSet, type ChangeSpec, EditorSelection, EditorState, Text, Transaction } from "@codemirror/state";
 import {
     drawSelection,
     EditorView,
@@ -24,7 +24,7 @@ import { cameraColours, cameraIndent, cameraLanguage } from "./language";
 import { type Ask, changesOf, completions, help, offsetOf, positionOf, type Problem } from "./language_server";
 import { numberDrag } from "./number_drag";
 import { OneStep } from "./one_step";
-import type { Position, TextEdit } from "./protocol";
+import type { Position, Range, TextEdit } from "./protocol";
 import { signatureHelp } from "./signature_help";
 import { wrappedLines } from "./wrapped_lines";
 
@@ -36,6 +36,8 @@ export interface EditorActions {
     /** After each change that was made here. */
     changed(changes: ChangeSet): void;
     format(): void;
+    /** Gives the name at a place another name. */
+    rename(name: string, position: Position): void;
 }
 
 export class CameraEditor extends LitElement {
@@ -81,11 +83,20 @@ export class CameraEditor extends LitElement {
             void this.goToDefinition();
             return true;
         };
+        const rename = (): boolean => {
+            this.rename();
+            return true;
+        };
+        const references = (): boolean => {
+            void this.selectReferences();
+            return true;
+        };
         return [
             lineNumbers(),
             wrappedLines,
             history(),
             drawSelection(),
+            EditorState.allowMultipleSelections.of(true),
             indentUnit.of("    "),
             indentOnInput(),
             bracketMatching(),
@@ -105,7 +116,8 @@ export class CameraEditor extends LitElement {
             EditorView.contentAttributes.of({ "aria-label": "Text of the camera file" }),
             keymap.of([
                 { key: "Shift-Alt-f", run: format },
-                { key: "F12", run: define },
+                { key: "F2", run: rename },
+                { key: "F12", run: define, shift: references },
                 ...closeBracketsKeymap,
                 ...completionKeymap,
                 ...historyKeymap,
@@ -180,6 +192,29 @@ export class CameraEditor extends LitElement {
 
     override focus(): void {
         this.view?.focus();
+    }
+
+    private rename(): void {
+        const { state } = this.view!;
+        const { head } = state.selection.main;
+        const word = state.wordAt(head);
+        if (word && !state.readOnly) {
+            this.actions!.rename(state.sliceDoc(word.from, word.to), positionOf(state.doc, head));
+        }
+    }
+
+    /** Selects all places where the name at the cursor stands, so that they are typed at once. */
+    private async selectReferences(): Promise<void> {
+        const { doc, selection } = this.view!.state;
+        const found = await this.actions!.ask<{ range: Range }[] | null>("textDocument/references", {
+            position: positionOf(doc, selection.main.head),
+            context: { includeDeclaration: true },
+        });
+        if (!found?.length || !this.document.eq(doc)) return;
+        const ranges = found.map(({ range }) =>
+            EditorSelection.range(offsetOf(doc, range.start), offsetOf(doc, range.end)),
+        );
+        this.view!.dispatch({ selection: EditorSelection.create(ranges), scrollIntoView: true });
     }
 
     private async goToDefinition(): Promise<void> {

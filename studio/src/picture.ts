@@ -5,22 +5,8 @@
 
 import { html, LitElement, nothing } from "lit";
 import type { Problem } from "./language_server";
+import { bitmapOf } from "./picture_bytes";
 import type { FrameHead } from "./protocol";
-
-const types = { jpeg: "image/jpeg", png: "image/png" };
-
-async function decoded(head: FrameHead, bytes: Uint8Array): Promise<ImageBitmap> {
-    if (head.format !== "rgb") {
-        return createImageBitmap(new Blob([bytes as Uint8Array<ArrayBuffer>], { type: types[head.format] }));
-    }
-    const pixels = new Uint8ClampedArray(4 * head.width * head.height).fill(255);
-    for (let i = 0, from = 0; i < pixels.length; i += 4, from += 3) {
-        pixels[i] = bytes[from]!;
-        pixels[i + 1] = bytes[from + 1]!;
-        pixels[i + 2] = bytes[from + 2]!;
-    }
-    return createImageBitmap(new ImageData(pixels, head.width, head.height));
-}
 
 export class LivePicture extends LitElement {
     static override properties = {
@@ -71,7 +57,7 @@ export class LivePicture extends LitElement {
     /** Resolves when it is on the canvas, to false if a newer one came first. */
     async show(head: FrameHead, bytes: Uint8Array): Promise<boolean> {
         const order = ++this.received;
-        const image = await decoded(head, bytes);
+        const image = await bitmapOf(head, bytes);
         if (order < this.drawn) {
             image.close();
             return false;

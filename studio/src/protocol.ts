@@ -97,6 +97,8 @@ export type Quality = "coarse" | "preview" | "paths" | "denoised";
 /** The head of a binary message. */
 export interface FrameHead {
     kind: string;
+    /** The camera of a thumbnail. */
+    name?: string;
     change: number;
     quality: Quality;
     width: number;
@@ -192,6 +194,13 @@ export interface Dragged {
     points: DragPoint[];
     diagnostics: FileDiagnostic[];
     seconds: number;
+}
+
+export interface BuiltInCamera {
+    name: string;
+    family: string;
+    about: string;
+    keywords: string | string[];
 }
 
 export interface NewText {

@@ -24,6 +24,7 @@ import {
     type Parameter,
     type ParameterValue,
     type PicturePlace,
+    type Position,
     protocol,
     type Pull,
     type SceneState,
@@ -46,6 +47,8 @@ export interface Page {
     show(head: FrameHead, bytes: Uint8Array): Promise<boolean>;
     /** Something to read once. */
     say(words: string, isMistake?: boolean): void;
+    thumbnail(head: FrameHead, bytes: Uint8Array): void;
+    noThumbnail(camera: string, message: string): void;
     /** What became of what a hand pulls. */
     dragged(told: Dragged): void;
     /** The picture will not change by itself. */
@@ -220,6 +223,8 @@ export class Session implements Listener {
             this.isAtRest = false;
             this.showProblems();
         },
+        "cameras/failed": ({ name, message }: { name: string; message: string }) =>
+            this.page.noThumbnail(name, message),
         "view/dragged": (told: Dragged) => this.page.dragged(told),
         "view/rest": () => {
             this.isAtRest = true;
@@ -228,6 +233,7 @@ export class Session implements Listener {
     };
 
     async frame(head: FrameHead, bytes: Uint8Array): Promise<void> {
+        if (head.kind === "thumbnail") this.page.thumbnail(head, bytes);
         if (head.kind !== "frame") return;
         const isShown = await this.page.show(head, bytes);
         this.connection.notify("view/seen", { change: head.change });
@@ -323,6 +329,15 @@ export class Session implements Listener {
         else this.page.say("A text with errors is not formatted.", true);
     }
 
+    async rename(position: Position, newName: string): Promise<void> {
+        const made = await this.ask<{ changes: Record<string, TextEdit[]> } | null>("textDocument/rename", {
+            position,
+            newName,
+        });
+        if (made) this.page.edit(made.changes[this.about!.uri] ?? []);
+        else this.page.say("Nothing here has a name that can be another one.", true);
+    }
+
     // The picture.
 
     changeView(change: ViewChange): void {
@@ -378,6 +393,12 @@ export class Session implements Listener {
             if (!handle || !isSame(handle, before)) throw new Error("The text has changed under the hand.");
             return { camera: this.chosen, handle, moves };
         });
+    }
+
+    /** Shows a camera that has just been typed. */
+    async showNew(camera: string): Promise<void> {
+        await this.text.whenSettled();
+        this.changeView({ camera, values: [] });
     }
 
     // The file.

@@ -5,8 +5,10 @@
 
 import { type ChangeSet, Text } from "@codemirror/state";
 import { html, LitElement, nothing } from "lit";
+import type { CameraWall, WallServer } from "./camera_wall";
+import "./camera_wall";
 import { Refusal } from "./connection";
-import { askForSize, confirm, showKeys } from "./dialogs";
+import { askForName, askForSize, confirm, showKeys } from "./dialogs";
 import type { CameraEditor } from "./editor";
 import "./editor";
 import { HandleHand } from "./handle_hand";
@@ -20,7 +22,7 @@ import { choiceOf, sizeOf, type SizeChoice } from "./picture_size";
 import { problemList } from "./problem_list";
 import { PictureHand } from "./picture_hand";
 import "./picture_touch";
-import { type About, type Dragged, type FrameHead, type ParameterValue, Refused } from "./protocol";
+import { type About, type BuiltInCamera, type Dragged, type FrameHead, type ParameterValue, type Position, Refused } from "./protocol";
 import { seenWords } from "./seen_words";
 import { failureOf, type Page, Session } from "./session";
 import type { ParameterSliders } from "./sliders";
@@ -28,6 +30,7 @@ import "./sliders";
 import { splitter } from "./splitter";
 import "./stage_numbers";
 import { wordsOf } from "./state_words";
+import { taken } from "./taken_camera";
 import { chooseTheme, chosenTheme, showTheme } from "./theme";
 import { toolbar, type ToolbarActions } from "./toolbar";
 
@@ -69,6 +72,10 @@ export class BalconyStudio extends LitElement implements Page {
         return this.querySelector<LivePicture>("live-picture")!;
     }
 
+    private get wall(): CameraWall {
+        return this.querySelector<CameraWall>("camera-wall")!;
+    }
+
     private get sliders(): ParameterSliders {
         return this.querySelector<ParameterSliders>("parameter-sliders")!;
     }
@@ -107,6 +114,7 @@ export class BalconyStudio extends LitElement implements Page {
             ask: session.ask,
             changed: (changes: ChangeSet) => session.typed(changes),
             format: () => this.attempt(session.format()),
+            rename: (name, position) => this.attempt(this.rename(name, position)),
         });
         document.title = `${about.uri.slice(about.uri.lastIndexOf("/") + 1)} – Balcony studio`;
         this.fit();
@@ -130,6 +138,14 @@ export class BalconyStudio extends LitElement implements Page {
 
     show(head: FrameHead, bytes: Uint8Array): Promise<boolean> {
         return this.picture.show(head, bytes);
+    }
+
+    thumbnail(head: FrameHead, bytes: Uint8Array): void {
+        void this.wall.picture(head, bytes);
+    }
+
+    noThumbnail(camera: string, message: string): void {
+        this.wall.fail(camera, message);
     }
 
     dragged(told: Dragged): void {
@@ -165,6 +181,7 @@ export class BalconyStudio extends LitElement implements Page {
             this.session.changeView({ camera: name, values: [] });
             this.changed();
         },
+        wall: () => this.attempt(this.wall.open()),
         size: (name) => void this.resize(name),
         save: () => this.attempt(this.save()),
         expose: () => this.session.changeView({ exposure: true }),
@@ -237,6 +254,24 @@ export class BalconyStudio extends LitElement implements Page {
         if (this.sliders.values.length > 0) this.session.changeView({ values: this.sliders.values });
     }
 
+    private readonly wallServer: WallServer = {
+        list: async () =>
+            (await this.session.connection.request<{ cameras: BuiltInCamera[] }>("cameras/list", {})).cameras,
+        show: (names, size) => this.session.connection.notify("cameras/show", { names, ...size }),
+        take: (name) => this.attempt(this.takeCamera(name)),
+    };
+
+    private async takeCamera(name: string): Promise<void> {
+        const { text } = await this.session.connection.request<{ text: string }>("cameras/text", { name });
+        const before = this.editor.text;
+        const start = taken(before, text, name, this.session.cameras);
+        this.editor.change({ from: before.length, insert: start.insert });
+        this.editor.goTo(this.editor.text.length - start.insert.trimStart().length);
+        this.sliders.forget();
+        await this.session.showNew(start.name);
+        this.changed();
+    }
+
     /** Writes what a hand on the picture has found. */
     private async keepDrag(): Promise<void> {
         const values = this.lastDrag?.values ?? [];
@@ -257,6 +292,13 @@ export class BalconyStudio extends LitElement implements Page {
         if (choice) this.size = choice;
         this.fit();
         this.changed();
+    }
+
+    private async rename(name: string, position: Position): Promise<void> {
+        const text = this.editor.document;
+        const wanted = await askForName(name);
+        if (wanted && wanted !== name && this.editor.document.eq(text)) await this.session.rename(position, wanted);
+        this.editor.focus();
     }
 
     private async save(): Promise<void> {
@@ -381,6 +423,7 @@ export class BalconyStudio extends LitElement implements Page {
                     ${problemList(session.problems, go, (problem, fix) => this.mend(problem, fix))}
                 </section>
             </main>
+            <camera-wall .server=${this.wallServer}></camera-wall>
             <div class="notice ${this.notice?.isMistake ? "mistake" : ""}" role="alert" ?hidden=${!this.notice}
                 >${this.notice?.words ?? ""}</div
             >

@@ -11,6 +11,8 @@ import { type Theme, themes } from "./theme";
 
 export interface ToolbarActions {
     camera(name: string): void;
+    /** Shows all built-in cameras. */
+    wall(): void;
     /** By the words of choiceOf(). */
     size(name: string): void;
     save(): void;
@@ -128,7 +130,11 @@ export function toolbar({ session, size, pixels, theme, hasHandles }: Shown, act
                     ? html`<span class="quiet">read-only</span>`
                     : html`<span class="unsaved" ?hidden=${!unsaved} title="Not saved" aria-label="not saved">●</span>`}
             </span>
-            ${cameraChoice(session, actions)} ${sizeChoice(size, pixels, actions)}
+            ${cameraChoice(session, actions)}
+            ${session.can("cameras/text") && !about?.readOnly
+                ? html`<button id="wall" title="Start with a built-in camera" @click=${actions.wall}>Cameras…</button>`
+                : nothing}
+            ${sizeChoice(size, pixels, actions)}
             <span class="space"></span>
             ${session.can("handles") && !about?.readOnly
                 ? html`<button
