@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Studies of a camera without a picture: what is wrong with it, where it shows points, and how it
-// looks from outside.
+// Studies of cameras without a picture: which ones there are, what is wrong with one, where it
+// shows points, and how it looks from outside.
 //
+//     describe_built_in()
 //     check(CheckRequest) ─▶ CheckReport        locate(LocateRequest), LocateSession ─▶ Located
 //     draw(DrawRequest)   ─▶ a file             draw_film(DrawFilmRequest) ─▶ a film, or files
 //
@@ -26,6 +27,7 @@
 #include "balcony/drawing.hpp"
 #include "balcony/inputs.hpp"
 #include "balcony/inverse.hpp"
+#include "balcony/lang.hpp"
 #include "balcony/probe.hpp"
 #include "balcony/request.hpp"
 #include "balcony/scene.hpp"
@@ -33,6 +35,11 @@
 namespace balcony::app {
 
 class PreparedScene;
+
+// ---------------------------------------------------------------------------------------- list
+
+/// The built-in cameras, by family. What else their files define serves these.
+[[nodiscard]] Result<std::vector<lang::Description>> describe_built_in();
 
 // --------------------------------------------------------------------------------------- check
 

@@ -64,10 +64,9 @@ std::string name_in(const std::vector<std::string>& names, std::size_t id) {
 // Of the material that covers most of a pixel.
 std::uint32_t main_material(const render::Film& film) {
     const auto& entries = film.means.materials.front().entries;
-    return std::max_element(entries.begin(), entries.end(),
-                            [](const auto& one, const auto& other) {
-                                return one.coverage < other.coverage;
-                            })
+    return std::max_element(
+               entries.begin(), entries.end(),
+               [](const auto& one, const auto& other) { return one.coverage < other.coverage; })
         ->id;
 }
 
@@ -109,10 +108,9 @@ Result<std::optional<Sight>> Inspector::at(const V2d& point, const std::stop_tok
                      "count pixels from the top left corner");
     }
     Diagnostics found;
-    const render::Film* const film =
-        picture.data(state_->scene,
-                     {static_cast<std::size_t>(point.x), static_cast<std::size_t>(point.y), 1, 1},
-                     stop, found);
+    const render::Film* const film = picture.data(
+        state_->scene, {static_cast<std::size_t>(point.x), static_cast<std::size_t>(point.y), 1, 1},
+        stop, found);
     if (film == nullptr) {
         return has_errors(found) ? found : Diagnostics{stopped()};
     }

@@ -118,8 +118,9 @@ TEST_F(InspectTest, FollowsValuesAndTexts) {
 
 TEST_F(InspectTest, WhereNothingIs) {
     // More than the wall, and nothing beyond the sphere that (u, v) has.
-    show("camera wide { aspect 4/3 map u = 2 .. -2, v = square eye point(0, 0, 0) "
-         "toward surface(u, v) = [sqrt(3 - u^2), u, v] }");
+    show(
+        "camera wide { aspect 4/3 map u = 2 .. -2, v = square eye point(0, 0, 0) "
+        "toward surface(u, v) = [sqrt(3 - u^2), u, v] }");
     EXPECT_FALSE(*inspector_->at({0, 24}));
     EXPECT_FALSE(seen(6, 24).hit);
     EXPECT_TRUE(seen(32, 30).hit);

@@ -13,6 +13,7 @@
 #include "balcony/lang.hpp"
 #include "balcony/names.hpp"
 #include "balcony/output_file.hpp"
+#include "balcony/studies.hpp"
 #include "camera/catalogue/stage_text.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/options/command_rows.hpp"
@@ -126,24 +127,6 @@ bool is_stage(const std::string& name) {
 bool is_built_in_camera(const std::string& name) {
     const auto& names = lang::built_in_cameras();
     return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-// Those that `--camera NAME` finds; what else their files define serves these.
-Result<std::vector<lang::Description>> built_in_descriptions() {
-    lang::Workspace workspace;
-    std::vector<lang::Description> all;
-    for (const std::string& name : lang::built_in_cameras()) {
-        auto described = workspace.describe(name);
-        if (!described) {
-            return described;
-        }
-        for (lang::Description& one : *described) {
-            if (one.name == name) {
-                all.push_back(std::move(one));
-            }
-        }
-    }
-    return all;
 }
 
 nlohmann::json camera_json(const lang::Description& described) {
@@ -276,7 +259,7 @@ std::string cameras_text(const std::vector<lang::Description>& cameras) {
 Answer list_cameras(const ListOptions& options) {
     const bool built_in = options.what == "cameras";
     const auto cameras =
-        built_in ? built_in_descriptions() : lang::Workspace().describe(options.what);
+        built_in ? app::describe_built_in() : lang::Workspace().describe(options.what);
     Answer answer;
     nlohmann::json& all = answer.facts["cameras"] = nlohmann::json::array();
     if (!answer.add(cameras.diagnostics)) {
@@ -296,7 +279,7 @@ Answer list_cameras(const ListOptions& options) {
 Answer list_found(const std::vector<std::string>& names, std::size_t most) {
     Answer answer;
     nlohmann::json& all = answer.facts["cameras"] = nlohmann::json::array();
-    const auto known = built_in_descriptions();
+    const auto known = app::describe_built_in();
     if (!answer.add(known.diagnostics)) {
         return answer;
     }

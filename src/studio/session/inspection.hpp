@@ -19,8 +19,8 @@ namespace balcony::studio {
 class Inspection {
 public:
     /// Called on the thread of the questions.
-    using Question = std::function<void(const std::function<live::Inspector&()>&,
-                                        const std::stop_token&)>;
+    using Question =
+        std::function<void(const std::function<live::Inspector&()>&, const std::stop_token&)>;
 
     Inspection(const live::View& view, std::filesystem::path folder)
         : view_(view), folder_(std::move(folder)) {}

@@ -43,12 +43,10 @@ json sight_answer(live::Inspector& inspector, const json& asked, const std::stop
                 {"v", sight->parameters.y}}},
               {"hit", nullptr}};
     if (sight->hit) {
-        made["hit"] = {{"object", sight->hit->object},
-                       {"material", sight->hit->material},
-                       {"distance", sight->hit->distance},
-                       {"point", told_of(sight->hit->point)},
-                       {"normal", told_of(sight->hit->normal)},
-                       {"magnification", sight->hit->magnification}};
+        made["hit"] = {
+            {"object", sight->hit->object},          {"material", sight->hit->material},
+            {"distance", sight->hit->distance},      {"point", told_of(sight->hit->point)},
+            {"normal", told_of(sight->hit->normal)}, {"magnification", sight->hit->magnification}};
     }
     return made;
 }

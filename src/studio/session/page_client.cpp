@@ -29,6 +29,8 @@ const PageClient::Row PageClient::rows[] = {
     {"view/drag", &PageClient::drag},
     {"view/seen", &PageClient::see},
     {"file/save", &PageClient::save},
+    {"cameras/list", &PageClient::list_cameras},
+    {"cameras/show", &PageClient::show_cameras},
 };
 
 // Requests about the text, or about a camera of it.
@@ -233,6 +235,13 @@ json PageClient::drag(const json& asked) {
 
 json PageClient::see(const json& /*asked*/) {
     flow_.seen();
+    return nullptr;
+}
+
+json PageClient::list_cameras(const json& /*asked*/) { return studio_.wall().list(); }
+
+json PageClient::show_cameras(const json& asked) {
+    studio_.wall().show(studio_.view(), asked);
     return nullptr;
 }
 

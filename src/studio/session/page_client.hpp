@@ -30,6 +30,7 @@ public:
     void receive(std::string_view text) override;
 
     void tell(const nlohmann::json& message);
+    void tell(const Bytes& picture) { socket_.send(picture); }
     void show(const Bytes& frame) { flow_.show(frame); }
     void rest(const nlohmann::json& message);
     /// Somebody else has changed the text: the message says so.
@@ -58,6 +59,8 @@ private:
     [[nodiscard]] nlohmann::json change_view(const nlohmann::json& asked);
     [[nodiscard]] nlohmann::json drag(const nlohmann::json& asked);
     [[nodiscard]] nlohmann::json see(const nlohmann::json& asked);
+    [[nodiscard]] nlohmann::json list_cameras(const nlohmann::json& asked);
+    [[nodiscard]] nlohmann::json show_cameras(const nlohmann::json& asked);
     [[nodiscard]] nlohmann::json save(const nlohmann::json& asked);
 
     Studio& studio_;

@@ -47,7 +47,15 @@ Studio::Studio(Server& server, const Options& options, SharedText text)
                }}),
       view_(live::View::load(options.request, observer(), {}, text_.file().parent_path())),
       inspection_(*view_, text_.file().parent_path()),
-      search_(*view_, text_.file().parent_path()) {
+      search_(*view_, text_.file().parent_path()),
+      wall_(server, options.request,
+            {.picture =
+                 [this](const Bytes& picture) {
+                     for (PageClient* const page : pages_) {
+                         page->tell(picture);
+                     }
+                 },
+             .failure = [this](const json& message) { tell_all(message); }}) {
     scene_told_ = lsp::notification("studio/scene", {{"state", "loading"}});
     view_->change({.text = text_.text(), .camera = camera_, .size = options.size});
 }

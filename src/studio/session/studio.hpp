@@ -17,6 +17,7 @@
 
 #include "balcony/live.hpp"
 #include "studio/serve.hpp"
+#include "studio/session/camera_wall.hpp"
 #include "studio/session/frame_encoder.hpp"
 #include "studio/session/inspection.hpp"
 #include "studio/session/shared_text.hpp"
@@ -53,6 +54,8 @@ public:
     /// For quick answers, and for those that may take seconds.
     [[nodiscard]] Inspection& inspection() { return inspection_; }
     [[nodiscard]] Inspection& search() { return search_; }
+    [[nodiscard]] CameraWall& wall() { return wall_; }
+    [[nodiscard]] const live::View& view() const { return *view_; }
     /// Writes the file, and tells the pages. Throws a Refusal.
     void save(bool replaces_changes);
 
@@ -83,6 +86,7 @@ private:
     // Their threads use the view.
     Inspection inspection_;
     Inspection search_;
+    CameraWall wall_;
 };
 
 }  // namespace balcony::studio
