@@ -3,10 +3,10 @@
 //
 // Usage: node bundle.mjs [FOLDER]
 //
-// Bundles the page into a folder, by default ../build/studio: index.html, icon.svg, studio.js,
-// studio.css and licences.txt, which has the licences of all that is bundled.
+// Bundles the page into a folder, by default ../build/studio: index.html, icon.svg, studio.js
+// with what it loads later, studio.css and licences.txt, which has the licences of all that is bundled.
 
-import { copyFileSync, mkdirSync, writeFileSync } from "node:fs";
+import { copyFileSync, mkdirSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
@@ -15,13 +15,17 @@ import { licences } from "./licences.mjs";
 const here = dirname(fileURLToPath(import.meta.url));
 const folder = process.argv[2] ?? join(here, "../build/studio");
 mkdirSync(folder, { recursive: true });
+// Names of files that are loaded later change with the sources.
+for (const file of readdirSync(folder)) if (file.endsWith(".js")) rmSync(join(folder, file));
 
 const { metafile } = await build({
     absWorkingDir: here,
     entryPoints: ["src/studio.ts", "studio.css"],
     outdir: folder,
     entryNames: "[name]",
+    chunkNames: "[name]",
     bundle: true,
+    splitting: true, // What is imported later is another file.
     minify: true,
     format: "esm",
     target: "es2022",

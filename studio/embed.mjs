@@ -19,16 +19,22 @@ const types = {
     ".txt": "text/plain; charset=utf-8",
 };
 
+/** What all of them may have together, in bytes. */
+const most = 1.5e6;
+
 const arrays = [];
 const rows = [];
+let sum = 0;
 for (const [index, name] of readdirSync(folder).sort().entries()) {
     const bytes = gzipSync(readFileSync(join(folder, name)), { level: 9 });
     bytes[9] = 255; // The system that compressed it, which is unknown.
+    sum += bytes.length;
     const lines = [];
     for (let at = 0; at < bytes.length; at += 24) lines.push(`    ${[...bytes.subarray(at, at + 24)].join(",")},`);
     arrays.push(`constexpr std::uint8_t file_${index}[] = {\n${lines.join("\n")}\n};`);
     rows.push(`{"${name}", "${types[extname(name)]}", file_${index}, true},`);
 }
+if (sum > most) throw new Error(`the page has ${sum} bytes, compressed; at most ${most} are right`);
 const template = readFileSync(join(dirname(fileURLToPath(import.meta.url)), "page_files.cpp.in"), "utf8");
 writeFileSync(
     source,

@@ -5,6 +5,7 @@
 
 import { html, LitElement, nothing } from "lit";
 import type { Problem } from "./language_server";
+import type { Lattice } from "./lattice";
 import { bitmapOf } from "./picture_bytes";
 import type { FrameHead } from "./protocol";
 
@@ -16,6 +17,7 @@ export class LivePicture extends LitElement {
         label: {},
         ratio: { type: Number },
         over: { attribute: false },
+        words: { attribute: false },
     };
     declare problem: Problem | null;
     /** What is waited for, or why there is no picture; nothing if there is one. */
@@ -26,6 +28,8 @@ export class LivePicture extends LitElement {
     declare ratio: number;
     /** What stands over the picture, in the same size. */
     declare over: unknown;
+    /** What stands at the border of its room. */
+    declare words: unknown;
     /** Makes a mistake go away, or shows it. */
     onfix: (problem: Problem, fix: number) => void = () => {};
     onplace: (problem: Problem) => void = () => {};
@@ -41,6 +45,7 @@ export class LivePicture extends LitElement {
         this.label = "";
         this.ratio = 16 / 9;
         this.over = nothing;
+        this.words = nothing;
     }
 
     /** The style sheet of the page holds for it. */
@@ -77,6 +82,19 @@ export class LivePicture extends LitElement {
         return true;
     }
 
+    /** What the picture shows at the points of a lattice. */
+    coloursOf({ columns, rows }: Lattice): [number, number, number][] {
+        const canvas = this.querySelector("canvas")!;
+        const { width, height } = canvas;
+        const { data } = canvas.getContext("2d", { alpha: false })!.getImageData(0, 0, width, height);
+        return Array.from({ length: columns * rows }, (_, index) => {
+            const x = Math.floor((((index % columns) + 0.5) / columns) * width);
+            const y = Math.floor(((Math.floor(index / columns) + 0.5) / rows) * height);
+            const at = 4 * (y * width + x);
+            return [data[at]!, data[at + 1]!, data[at + 2]!];
+        });
+    }
+
     override updated(): void {
         this.style.setProperty("--ratio", String(this.ratio));
     }
@@ -88,7 +106,7 @@ export class LivePicture extends LitElement {
                 <canvas role="img" aria-label=${this.label} width="16" height="9"></canvas>
                 ${this.over}
             </div>
-            ${problem ? this.message(problem) : nothing}
+            ${this.words} ${problem ? this.message(problem) : nothing}
             ${this.waiting && !problem
                 ? html`<div class="waiting">
                       ${this.isBusy ? html`<span class="spinner"></span>` : nothing}<span>${this.waiting}</span>

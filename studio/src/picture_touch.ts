@@ -16,21 +16,21 @@ export class PictureTouch extends LitElement {
         hand: { attribute: false },
         canDrag: { type: Boolean },
         grips: { attribute: false },
-        cursor: { attribute: false },
+        crosses: { attribute: false },
     };
     declare pixels: Pair;
     declare hand: PictureHand;
     declare canDrag: boolean;
     declare grips: Grip[];
-    /** The place that is kept. */
-    declare cursor: Pair | null;
+    /** Places that are marked. */
+    declare crosses: Pair[];
 
     constructor() {
         super();
         this.pixels = [16, 9];
         this.canDrag = false;
         this.grips = [];
-        this.cursor = null;
+        this.crosses = [];
     }
 
     override createRenderRoot() {
@@ -120,7 +120,7 @@ export class PictureTouch extends LitElement {
             @pointerleave=${() => this.hand.leave()}
         >
             <rect class="area" width="100%" height="100%" @pointerdown=${(event: PointerEvent) => this.pressed(event)} />
-            ${this.grips.map((grip, index) => this.grip(grip, index))} ${this.cursor ? this.cross(this.cursor) : nothing}
+            ${this.grips.map((grip, index) => this.grip(grip, index))} ${this.crosses.map((one) => this.cross(one))}
         </svg>`;
     }
 }

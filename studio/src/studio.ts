@@ -8,11 +8,15 @@ import { html, LitElement, nothing } from "lit";
 import type { CameraWall, WallServer } from "./camera_wall";
 import "./camera_wall";
 import { Refusal } from "./connection";
+import type { CameraSpace } from "./camera_space";
+import "./camera_space";
 import { askForName, askForSize, confirm, showKeys } from "./dialogs";
 import type { CameraEditor } from "./editor";
 import "./editor";
 import { HandleHand } from "./handle_hand";
+import type { Pair } from "./handle_marks";
 import { handStep } from "./number_drag";
+import { Inspection } from "./inspection";
 import type { Problem } from "./language_server";
 import type { LivePicture } from "./picture";
 import "./picture";
@@ -21,8 +25,9 @@ import "./picture_handles";
 import { choiceOf, sizeOf, type SizeChoice } from "./picture_size";
 import { problemList } from "./problem_list";
 import { PictureHand } from "./picture_hand";
+import "./picture_overlays";
 import "./picture_touch";
-import { type About, type BuiltInCamera, type Dragged, type FrameHead, type ParameterValue, type Position, Refused } from "./protocol";
+import { type About, type BuiltInCamera, type Dragged, type FrameHead, type ParameterValue, type Position, Refused, type Triple } from "./protocol";
 import { seenWords } from "./seen_words";
 import { failureOf, type Page, Session } from "./session";
 import type { ParameterSliders } from "./sliders";
@@ -51,6 +56,12 @@ export class BalconyStudio extends LitElement implements Page {
         failed: (why) => this.sayFailure(why),
     });
 
+    private readonly inspection = new Inspection(
+        (place) => this.session.at(place),
+        () => this.changed(),
+    );
+    /** Where a point that was picked in space appears. */
+    private found: Pair[] = [];
     private lastDrag: Dragged | null = null;
     private readonly pictureHand = new PictureHand({
         at: (place) => this.session.at(place),
@@ -190,6 +201,12 @@ export class BalconyStudio extends LitElement implements Page {
             chooseTheme(theme);
             this.changed();
         },
+        overlay: (name) => this.inspection.toggle(name),
+        space: () => {
+            this.inspection.hasSpace = !this.inspection.hasSpace;
+            this.found = [];
+            this.changed();
+        },
         handles: () => {
             this.hasHandles = !this.hasHandles;
             this.changed();
@@ -317,6 +334,7 @@ export class BalconyStudio extends LitElement implements Page {
 
     override updated(): void {
         if (this.session.camera) this.fit();
+        if (this.session.shown) this.inspection.follow(this.session.shown.change, this.pixels);
     }
 
     private over() {
@@ -324,14 +342,21 @@ export class BalconyStudio extends LitElement implements Page {
         const hand = this.pictureHand;
         const { seen } = hand;
         const canDrag = this.session.can("view/drag") && about?.readOnly === false;
+        const { lattice, overlays } = this.inspection;
         return html`
+            <picture-overlays
+                .lattice=${lattice}
+                .shown=${new Set(overlays)}
+                .isAngle=${this.isAngle}
+                .up=${this.up}
+            ></picture-overlays>
             ${this.session.can("view/at")
                 ? html`<picture-touch
                       .pixels=${this.pixels}
                       .hand=${hand}
                       .canDrag=${canDrag}
                       .grips=${[...hand.grips]}
-                      .cursor=${hand.isKept && seen ? [seen.x, seen.y] : null}
+                      .crosses=${hand.isKept && seen ? [[seen.x, seen.y], ...this.found] : this.found}
                   ></picture-touch>`
                 : nothing}
             ${this.hasHandles && handles.length > 0
@@ -341,17 +366,47 @@ export class BalconyStudio extends LitElement implements Page {
                       .hand=${this.hand}
                   ></picture-handles>`
                 : nothing}
-            ${this.seenLine()}
         `;
+    }
+
+    /** Of u and v. */
+    private get isAngle(): [boolean, boolean] {
+        const isAngle = (name: string): boolean =>
+            this.session.handles.some((one) => one.parameter === name && one.numbers[0]!.angle);
+        return [isAngle("u"), isAngle("v")];
+    }
+
+    /** The vertical axis of the scene, where its format says which it is. */
+    private get up(): Triple | null {
+        return /\.(glb|gltf)$/i.test(this.session.about?.scene ?? "") ? [0, 1, 0] : null;
+    }
+
+    private async find(point: Triple): Promise<void> {
+        const { places } = await this.session.connection.request<{ places: { x: number; y: number }[] }>("view/find", {
+            point,
+        });
+        this.found = places.map(({ x, y }) => [x, y]);
+        const words = places.length === 1 ? "one place" : `${places.length} places`;
+        this.say(places.length > 0 ? `The point appears in ${words}.` : "The picture does not show this point.");
+    }
+
+    private space() {
+        const { inspection } = this;
+        if (!inspection.hasSpace) return nothing;
+        return html`<camera-space
+            .lattice=${inspection.lattice}
+            .colours=${inspection.lattice ? this.picture.coloursOf(inspection.lattice) : []}
+            .seen=${this.pictureHand.seen}
+            .up=${this.up}
+            .onpick=${((point) => this.attempt(this.find(point))) as CameraSpace["onpick"]}
+        ></camera-space>`;
     }
 
     /** What stands under the hand, where the hand is not. */
     private seenLine() {
         const { seen, isKept, pulled } = this.pictureHand;
         if (pulled || !seen) return nothing;
-        const isAngle = (name: string): boolean =>
-            this.session.handles.some((one) => one.parameter === name && one.numbers[0]!.angle);
-        const words = seenWords(seen, [isAngle("u"), isAngle("v")]);
+        const words = seenWords(seen, this.isAngle);
         return html`<div class="seen-at ${seen.y > 0.7 * this.pixels[1] ? "above" : ""}" aria-live=${isKept ? "polite" : "off"}>
             ${words.map(
                 ({ name, value }) =>
@@ -377,11 +432,12 @@ export class BalconyStudio extends LitElement implements Page {
         const go = ({ from, to }: Problem): void => this.editor.goTo(from, to);
         return html`
             ${toolbar(
-                { session, size: this.size, pixels: this.pixels, theme: chosenTheme(), hasHandles: this.hasHandles },
+                { session, size: this.size, pixels: this.pixels, theme: chosenTheme(), hasHandles: this.hasHandles, inspection: this.inspection },
                 this.actions,
             )}
             <main>
                 <section class="seen" aria-label="Picture">
+                    <div class="views ${this.pixels[0] > 2 * this.pixels[1] ? "wide" : ""}">
                     <live-picture
                         .problem=${error}
                         .waiting=${shown ? "" : [words.text, words.advice ?? ""].join("\n")}
@@ -389,7 +445,10 @@ export class BalconyStudio extends LitElement implements Page {
                         .ratio=${this.pixels[1] > 0 ? this.pixels[0] / this.pixels[1] : 16 / 9}
                         .label="Picture of the camera ${camera?.name ?? ""}"
                         .over=${this.over()}
+                        .words=${this.seenLine()}
                     ></live-picture>
+                    ${this.space()}
+                    </div>
                     <div class="status ${words.kind}">
                         <span class="dot"></span>
                         <span id="state" role="status">${words.text}</span>

@@ -5,6 +5,8 @@
 
 import { html, nothing } from "lit";
 import { live } from "lit/directives/live.js";
+import type { Inspection } from "./inspection";
+import { type OverlayName, overlayNames } from "./picture_overlays";
 import { nameOf, type SizeChoice, widths } from "./picture_size";
 import type { Session } from "./session";
 import { type Theme, themes } from "./theme";
@@ -19,7 +21,9 @@ export interface ToolbarActions {
     expose(): void;
     format(): void;
     theme(theme: Theme): void;
-    /** Shows or hides them. */
+    /** Show or hide something. */
+    overlay(name: OverlayName): void;
+    space(): void;
     handles(): void;
     keys(): void;
 }
@@ -63,7 +67,31 @@ function sizeChoice(size: SizeChoice, pixels: [number, number], actions: Toolbar
     `;
 }
 
-function menu(theme: Theme, actions: ToolbarActions) {
+const overlayWords: Record<OverlayName, string> = {
+    grid: "Lines of u and v",
+    scale: "Scale",
+    objects: "Objects",
+    horizon: "Horizon",
+};
+
+function overlayChoice({ overlays }: Inspection, actions: ToolbarActions) {
+    return html`<div class="group" role="group" aria-label="Over the picture">
+        <span class="heading">Over the picture</span>
+        ${overlayNames.map(
+            (name) =>
+                html`<button
+                    role="menuitemcheckbox"
+                    aria-checked=${overlays.has(name)}
+                    id="overlay-${name}"
+                    @click=${() => actions.overlay(name)}
+                >
+                    ${overlayWords[name]}
+                </button>`,
+        )}
+    </div>`;
+}
+
+function menu(session: Session, theme: Theme, inspection: Inspection, actions: ToolbarActions) {
     const item = (id: string, words: string, keys: string, act: () => void) =>
         html`<button id=${id} role="menuitem" @click=${act}><span>${words}</span><kbd>${keys}</kbd></button>`;
     return html`
@@ -72,6 +100,7 @@ function menu(theme: Theme, actions: ToolbarActions) {
             <div class="items" role="menu" @click=${closeOnChoice}>
                 ${item("format", "Format the text", "Shift+Alt+F", actions.format)}
                 ${item("expose", "Expose for this picture", "", actions.expose)}
+                ${session.can("view/at") ? overlayChoice(inspection, actions) : nothing}
                 <div class="group themes" role="group" aria-label="Colours">
                     <span class="heading">Colours</span>
                     ${themes.map(
@@ -117,9 +146,10 @@ export interface Shown {
     pixels: [number, number];
     theme: Theme;
     hasHandles: boolean;
+    inspection: Inspection;
 }
 
-export function toolbar({ session, size, pixels, theme, hasHandles }: Shown, actions: ToolbarActions) {
+export function toolbar({ session, size, pixels, theme, hasHandles, inspection }: Shown, actions: ToolbarActions) {
     const { about } = session;
     const unsaved = about !== null && !about.readOnly && !session.isSaved;
     return html`
@@ -146,8 +176,18 @@ export function toolbar({ session, size, pixels, theme, hasHandles }: Shown, act
                       Handles
                   </button>`
                 : nothing}
+            ${session.can("view/at")
+                ? html`<button
+                      id="space"
+                      aria-pressed=${inspection.hasSpace}
+                      title="Show the camera in space"
+                      @click=${actions.space}
+                  >
+                      3D
+                  </button>`
+                : nothing}
             <button id="save" ?disabled=${!unsaved} title="Save the file (Ctrl+S)" @click=${actions.save}>Save</button>
-            ${menu(theme, actions)}
+            ${menu(session, theme, inspection, actions)}
         </header>
     `;
 }

@@ -82,7 +82,7 @@ const browser = await chromium.launch({
     executablePath: process.env.BROWSER,
     headless: true,
     args: [
-        ...["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run"],
+        ...["--no-sandbox", "--disable-gpu", "--enable-unsafe-swiftshader", "--disable-quic", "--no-first-run"],
         ...["--disable-background-networking", "--disable-component-update", "--disable-sync"],
         // Pages behind others are drawn, too.
         ...["--disable-renderer-backgrounding", "--disable-backgrounding-occluded-windows"],
@@ -93,6 +93,8 @@ const browser = await chromium.launch({
 const complaints = [];
 
 export class Page {
+    expected = /ERR_CONNECTION|WebSocket/;
+
     static async open(address, options = {}) {
         const context = await browser.newContext({ viewport: { width: 1280, height: 720 }, ...options });
         await context.grantPermissions(["clipboard-read", "clipboard-write"]);
@@ -101,12 +103,17 @@ export class Page {
         page.tab.setDefaultTimeout(patience);
         page.tab.on("pageerror", (error) => complaints.push(String(error)));
         page.tab.on("console", (message) => {
-            if (message.type() === "error" && !/ERR_CONNECTION|WebSocket/.test(message.text())) {
+            if (message.type() === "error" && !page.expected.test(message.text())) {
                 complaints.push(message.text());
             }
         });
         await page.tab.goto(address);
         return page;
+    }
+
+    /** Messages of the page that a test causes. */
+    expect(pattern) {
+        this.expected = pattern;
     }
 
     async close() {

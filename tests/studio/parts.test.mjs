@@ -15,7 +15,7 @@ const repository = join(dirname(fileURLToPath(import.meta.url)), "../..");
 
 /** The modules of the page as one. */
 async function page() {
-    const names = ["shared_text", "language", "language_server", "parameter_range", "picture_size", "latency", "number_drag"];
+    const names = ["shared_text", "language", "language_server", "parameter_range", "picture_size", "latency", "number_drag", "lattice", "taken_camera"];
     const made = await build({
         stdin: {
             contents: [
@@ -285,4 +285,29 @@ test("latency is from a change to the first picture that shows it or a later one
     assert.equal(latency.measured.length, 2);
     latency.drawn(6);
     assert.equal(latency.measured.length, 2);
+});
+
+test("a line of a level is where the values are, and not over a leap of an angle", () => {
+    // The value is the place from the left in cells, which is half a cell beside the middle of the first one.
+    const values = Array.from({ length: 20 }, (_, i) => i % 5);
+    const pieces = parts.contour(values, 5, 4, 2.25, 10);
+    assert.equal(pieces.length, 3);
+    for (const piece of pieces) for (const [x] of piece) assert.ok(Math.abs(x - 2.75 / 5) < 1e-12);
+    assert.deepEqual(parts.contour(values, 5, 4, 2.25, 0.5), []);
+    assert.deepEqual(parts.contour(values.map(() => null), 5, 4, 2.25, 10), []);
+});
+
+test("levels are round numbers in the range", () => {
+    assert.deepEqual(parts.levelsOf([-1.45, 1.45], false, 6), [-1, -0.5, 0, 0.5, 1]);
+    const degrees = parts.levelsOf([-Math.PI, Math.PI], true, 8).map((one) => Math.round((one * 180) / Math.PI));
+    assert.deepEqual(degrees, [-180, -135, -90, -45, 0, 45, 90, 135, 180]);
+    assert.deepEqual(parts.levelsOf([null], false), []);
+});
+
+test("a camera that is taken has a name that the text does not have", () => {
+    const camera = "// Of panorama().\ncamera panorama(yaw = 0deg) {\n}\n";
+    assert.deepEqual(parts.taken("", camera, "panorama", []), { insert: camera, name: "panorama" });
+    const { insert, name } = parts.taken("camera a {\n}", camera, "panorama", ["panorama", "panorama_2"]);
+    assert.equal(name, "panorama_3");
+    assert.equal(insert, "\n\n// Of panorama().\ncamera panorama_3(yaw = 0deg) {\n}\n");
 });
