@@ -178,7 +178,8 @@ TEST(Anamorphic, HasExactVignetting) {
         }
     }
     const double middle = lit_part(rays, points[0]);
-    EXPECT_GT(middle, 0.9);
+    // The rest is what the pupils of points off both axes need.
+    EXPECT_GT(middle, 0.85);
     for (std::size_t k = 1; k < points.size(); ++k) {
         const double wanted = static_cast<double>(arrived[k]) / arrived[0];
         // Four standard deviations of both counts, and 1 % for the size of the patch.

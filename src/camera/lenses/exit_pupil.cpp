@@ -11,6 +11,7 @@ namespace balcony::camera {
 
 namespace {
 
+constexpr double half_turn = std::numbers::pi;
 using Direction = std::array<double, 2>;  // (m, n)
 
 /// Halves of a unit, to about 1e-8.
@@ -68,22 +69,29 @@ public:
         return found;
     }
 
-    /// Points of the border, by bisection from a point inside: holes and their images are convex.
-    /// They go round it; or, from an axis that the point is on, half round it, which is symmetric.
-    [[nodiscard]] std::vector<Direction> border(const Direction& inside,
-                                                std::optional<std::size_t> axis = {}) const {
-        constexpr int count = 96;
+    /// The end of the pupil in a direction from a point inside, by bisection: holes and their
+    /// images are convex.
+    [[nodiscard]] Direction border(const Direction& inside, double angle) const {
         constexpr double outside = 2.0;
+        const auto at = [&](double t) {
+            return Direction{inside[0] + t * std::cos(angle), inside[1] + t * std::sin(angle)};
+        };
+        return at(last_of(0.0, outside, [&](double t) { return passes(at(t)); }));
+    }
+    /// Such ends all round; or, from an axis that the point is on, half round, which is symmetric.
+    [[nodiscard]] std::vector<Direction> border(const Direction& inside,
+                                                std::optional<std::size_t> axis, int count) const {
         std::vector<Direction> found;
         for (int i = 0; i <= (axis ? count / 2 : count - 1); ++i) {
-            const double angle =
-                2.0 * std::numbers::pi * i / count + (axis == 1 ? 0.5 * std::numbers::pi : 0.0);
-            const auto at = [&](double t) {
-                return Direction{inside[0] + t * std::cos(angle), inside[1] + t * std::sin(angle)};
-            };
-            found.push_back(at(last_of(0.0, outside, [&](double t) { return passes(at(t)); })));
+            found.push_back(
+                border(inside, 2.0 * half_turn * i / count + (axis == 1 ? 0.5 * half_turn : 0.0)));
         }
         return found;
+    }
+    /// The extent along an axis that the point is on: the ends of the convex pupil are on it.
+    [[nodiscard]] std::array<double, 2> extent(const Direction& inside, std::size_t axis) const {
+        const double angle = axis == 1 ? 0.5 * half_turn : 0.0;
+        return {border(inside, angle + half_turn)[axis], border(inside, angle)[axis]};
     }
 
 private:
@@ -107,14 +115,6 @@ private:
     const FocusedOptics<double>& at_;
     std::array<double, 2> point_;
 };
-
-/// The extent of a border along an axis.
-std::array<double, 2> extent_of(const std::vector<Direction>& border, std::size_t axis) {
-    const auto [least, most] = std::minmax_element(
-        border.begin(), border.end(),
-        [axis](const Direction& a, const Direction& b) { return a[axis] < b[axis]; });
-    return {(*least)[axis], (*most)[axis]};
-}
 
 /// The pupil of a point in the direction (x, y) from the axis, from where the direction to the
 /// middle of the last surface has the slope s.
@@ -158,7 +158,22 @@ std::vector<double> slopes_of(const std::vector<double>& values, double step) {
     return slopes;
 }
 
-constexpr int cells = 12;
+/// Many, as the middle moves abruptly where another hole begins to limit the pupil.
+constexpr int cells = 48;
+
+/// Knots at which the size is found: some of the tables', and between the last ones, where the
+/// middle moves most.
+std::vector<double> knots_of_sizes() {
+    constexpr int step = 2;
+    std::vector<double> made;
+    for (int i = 0; i < cells - step; i += step) {
+        made.push_back(i);
+    }
+    for (double knot = cells - step; knot <= cells; knot += 0.5) {
+        made.push_back(knot);
+    }
+    return made;
+}
 
 /// The slopes at knots of the tables, equal steps of their square, and between them. In the middle
 /// itself h s is 0.
@@ -167,8 +182,40 @@ double slope_at(double largest_square, double knot) {
     return std::sqrt(std::max(step * knot, 1e-6 * step));
 }
 
+/// Of the circle around a border that is the smallest with its middle on an axis and well inside.
+/// It is hardly larger than the stop's image where another hole takes a part of that.
+double middle_of(const std::vector<Direction>& border, std::size_t axis, double ratio) {
+    constexpr double inset = 0.1;
+    constexpr int steps = 40;
+    const auto [least, most] = std::minmax_element(
+        border.begin(), border.end(),
+        [axis](const Direction& a, const Direction& b) { return a[axis] < b[axis]; });
+    const double width = (*most)[axis] - (*least)[axis];
+    double low = (*least)[axis] + inset * width;
+    double high = (*most)[axis] - inset * width;
+    const std::array<double, 2> scale{1.0, ratio};
+    const auto reach = [&](double middle) {
+        double farthest = 0.0;
+        for (const Direction& d : border) {
+            farthest = std::max(farthest, std::hypot((d[axis] - middle) / scale[axis],
+                                                     d[1 - axis] / scale[1 - axis]));
+        }
+        return farthest;
+    };
+    for (int i = 0; i < steps; ++i) {
+        const double step = (high - low) / 3.0;
+        if (reach(low + step) < reach(high - step)) {
+            high -= step;
+        } else {
+            low += step;
+        }
+    }
+    return 0.5 * (low + high);
+}
+
 expr::Table middles(const LensOptics& lens, const FocusedOptics<double>& at, std::size_t axis,
-                    double largest_square) {
+                    double ratio, double largest_square) {
+    constexpr int directions = 24;
     std::vector<double> values;
     for (int i = 0; i <= cells; ++i) {
         const double s = slope_at(largest_square, i == cells ? cells - 1e-3 : i);
@@ -178,8 +225,7 @@ expr::Table middles(const LensOptics& lens, const FocusedOptics<double>& at, std
             values.push_back(values.back());
             continue;
         }
-        const auto [least, most] = extent_of(pupil.border(*inside, axis), axis);
-        values.push_back(-0.5 * (least + most) / s);
+        values.push_back(-middle_of(pupil.border(*inside, axis, directions), axis, ratio) / s);
     }
     return expr::hermite_table(0.0, largest_square, values,
                                slopes_of(values, largest_square / cells));
@@ -190,9 +236,10 @@ expr::Table middles(const LensOptics& lens, const FocusedOptics<double>& at, std
 double half_axis(const ExitPupil& pupils, double ratio, const LensOptics& lens,
                  const FocusedOptics<double>& at, const Direction& toward) {
     constexpr double margin = 1.01;  // For corners of a border between two of its points.
+    constexpr int directions = 96;
     double widest = 0.0;
-    for (int i = 0; i <= 2 * cells; ++i) {
-        const double s = slope_at(pupils.largest_square, 0.5 * i);
+    for (const double knot : knots_of_sizes()) {
+        const double s = slope_at(pupils.largest_square, knot);
         const Direction middle{-s * toward[0] * pupils.middle[0](s * s),
                                -s * toward[1] * pupils.middle[1](s * s)};
         const PupilOfPoint pupil = pupil_at(lens, at, toward, s);
@@ -203,7 +250,7 @@ double half_axis(const ExitPupil& pupils, double ratio, const LensOptics& lens,
         if (!inside) {
             continue;
         }
-        for (const Direction& d : pupil.border(*inside, axis)) {
+        for (const Direction& d : pupil.border(*inside, axis, directions)) {
             widest = std::max(widest, std::hypot(d[0] - middle[0], (d[1] - middle[1]) / ratio));
         }
     }
@@ -213,9 +260,9 @@ double half_axis(const ExitPupil& pupils, double ratio, const LensOptics& lens,
 /// How much higher than wide the pupil of the middle of the sensor is.
 double ratio_of(const LensOptics& lens, const FocusedOptics<double>& at) {
     const PupilOfPoint middle = pupil_at(lens, at, axes[0], 0.0);
-    const auto border = middle.border(*middle.inside(0));
-    const auto [left, right] = extent_of(border, 0);
-    const auto [low, high] = extent_of(border, 1);
+    const Direction inside = *middle.inside(0);
+    const auto [left, right] = middle.extent(inside, 0);
+    const auto [low, high] = middle.extent(inside, 1);
     return (high - low) / (right - left);
 }
 
@@ -225,7 +272,7 @@ std::vector<Direction> directions_of(bool anamorphic) {
     constexpr int count = 4;
     std::vector<Direction> made{axes[0]};
     for (int i = 1; anamorphic && i < count; ++i) {
-        const double angle = 0.5 * std::numbers::pi * i / count;
+        const double angle = 0.5 * half_turn * i / count;
         made.push_back({std::cos(angle), std::sin(angle)});
     }
     if (anamorphic) {
@@ -257,9 +304,10 @@ std::optional<ExitPupil> find_exit_pupil(const LensOptics& with_blades,
         }
     }
     const FocusedOptics<double> first = focused(lens, group, vergences.front());
-    made.middle[0] = middles(lens, first, 0, made.largest_square);
-    made.middle[1] = anamorphic ? middles(lens, first, 1, made.largest_square) : made.middle[0];
     const double ratio = anamorphic ? ratio_of(lens, first) : 1.0;
+    made.middle[0] = middles(lens, first, 0, ratio, made.largest_square);
+    made.middle[1] =
+        anamorphic ? middles(lens, first, 1, ratio, made.largest_square) : made.middle[0];
     for (const double vergence : vergences) {
         const FocusedOptics<double> at = focused(lens, group, vergence);
         for (const Direction& toward : directions_of(anamorphic)) {
