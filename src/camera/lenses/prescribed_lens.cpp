@@ -16,6 +16,7 @@
 #include "camera/lenses/exit_pupil.hpp"
 #include "camera/lenses/lens_optics.hpp"
 #include "camera/lenses/picture_plane.hpp"
+#include "camera/lenses/prescription_check.hpp"
 #include "camera/machine/ray_expressions.hpp"
 
 namespace balcony::camera {
@@ -121,6 +122,12 @@ private:
         const std::vector<double> vergences = vergence.is_constant()
                                                   ? std::vector{vergence.node().value}
                                                   : std::vector{0.0, 0.5 * near, near};
+        for (const double one : vergence.is_constant() ? vergences : std::vector<double>()) {
+            if (auto fault = fault_at(focused(parts_.optics, parts_.group, one))) {
+                emit.report(*std::move(fault));
+                return std::nullopt;
+            }
+        }
         auto found = find_exit_pupil(parts_.optics, parts_.group, vergences);
         if (!found) {
             emit.report(error(fmt::format("no light passes the lens '{}' at this focus",
@@ -128,6 +135,38 @@ private:
                               {}, "focus farther away"));
         }
         return found;
+    }
+
+    /// What makes it impossible to focus there.
+    std::optional<Diagnostic> fault_at(const FocusedOptics<double>& at) const {
+        const std::string& name = parts_.prescription->name;
+        const auto& surfaces = parts_.prescription->surfaces;
+        if (!at.valid) {
+            return error(fmt::format("surfaces {} to {} of '{}' cannot focus so near",
+                                     parts_.group->first + 1, parts_.group->last + 1, name),
+                         {}, "focus farther away, or write another group");
+        }
+        for (std::size_t i = 0; parts_.group && i + 1 < surfaces.size(); ++i) {
+            // A stop may be within the bulge of a surface.
+            if (!parts_.optics.surfaces[i].refracts() ||
+                !parts_.optics.surfaces[i + 1].refracts()) {
+                continue;
+            }
+            if (auto fault = crossing_of(surfaces[i], surfaces[i + 1],
+                                         at.vertices[i] - at.vertices[i + 1])) {
+                fault->message += fmt::format(" when surfaces {} to {} are focused",
+                                              parts_.group->first + 1, parts_.group->last + 1);
+                fault->remedy = "focus farther away, or write another group";
+                return fault;
+            }
+        }
+        if (!(at.depth() > 0.0)) {
+            return error(fmt::format("the sensor of '{}' is {:.4g} mm in front of its last surface "
+                                     "at this focus",
+                                     name, std::abs(at.depth())),
+                         {}, "write another group or a larger defocus, or focus nearer");
+        }
+        return std::nullopt;
     }
 
     LensRay through(const LensFrame& frame, const ObjectPoint& pinhole,
@@ -184,6 +223,11 @@ Result<std::optional<FocusingGroup>> group_of(const Arguments& a, std::size_t co
 StageResult make_prescribed_lens(const Arguments& a) {
     const auto& prescription = a.file<Prescription>("file");
     const double wavelength = a.constant("wavelength") / 1000.0;
+    for (const LensSurface& surface : prescription->surfaces) {
+        if (auto fault = wrong_index(surface, wavelength)) {
+            return *std::move(fault);
+        }
+    }
     PrescribedLens::Parts parts{prescription,
                                 optics_of(*prescription, wavelength, line_d),
                                 a.stage<FocusSurface>("focus"),
