@@ -135,6 +135,25 @@ class Info(support.CommandTest):
         self.assertEqual(scene["bounds"], [[-2, -1, -1], [2, 1, 0]])
         self.assertNotIn("scene", self.json_of("info", "none.obj", code=1))
 
+    def test_lenses(self):
+        out, err = self.run_command("info", "triplet.dat")
+        self.assertEqual(err, "")
+        self.assertRegex(out, r"focal length +50\.02 mm, f/5\n")
+        self.assertRegex(out, r"\n +0 deg +100 % +\d+\.\d+ +\d+\.\d+ +\d+\.\d+\n +5 deg ")
+        (self.folder / "wide.dat").write_text("stop 1 air 4\n20 3 1.5 8 radius_x=15\n-20 30 air 8\n")
+        out, _ = self.run_command("info", "wide.dat")
+        self.assertRegex(out, r"focal length +20\.51 mm in the vertical plane, .*\n +17\.65 mm in the")
+        self.assertRegex(out, r"\n +5 up [^\n]*\n(.*\n)* +5 aside ")
+        lens = self.json_of("info", "triplet.dat")["lens"]
+        self.assertAlmostEqual(lens["focal_length"], 50.02, places=2)
+        first, last = lens["spots"][0], lens["spots"][-1]
+        self.assertEqual((first["field"], last["field"]), ([0, 0], [0, 30]))
+        self.assertLess(first["rms_radius"], 0.02)
+        self.assertLess(last["area"], 0.8 * first["area"])
+        (self.folder / "bad.ZMX").write_text("SURF 0\nSURF 1\n")
+        self.refused("info", "bad.ZMX", code=1, says="bad.ZMX:1:1: error: this file has no surfaces")
+        self.refused("info", "none.dat", code=1, says="'none.dat'")
+
     def test_mistakes(self):
         self.refused("info", "none.obj", code=1, says="'none.obj'")
         self.refused("info", ".", code=1, says="'.' is a folder")

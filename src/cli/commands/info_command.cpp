@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <numbers>
 #include <string_view>
@@ -11,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include "balcony/data.hpp"
 #include "balcony/inputs.hpp"
 #include "balcony/motion.hpp"
 #include "balcony/names.hpp"
@@ -18,6 +21,7 @@
 #include "balcony/scene.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/options/command_rows.hpp"
+#include "cli/report/lens_report.hpp"
 
 namespace balcony::cli {
 
@@ -177,7 +181,29 @@ std::string scene_text(const scene::Scene& scene, const std::string& light, bool
     return text;
 }
 
+bool is_lens(const std::string& file) {
+    std::string extension = std::filesystem::path(file).extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension == ".dat" || extension == ".zmx";
+}
+
+ExitCode lens_info(const InfoOptions& options) {
+    const auto file = data::find_file(options.scene, std::filesystem::path("."));
+    const auto lens = file ? data::read_prescription(*file) : file.diagnostics;
+    Answer answer;
+    if (answer.add(lens.diagnostics)) {
+        const LensSpots spots = find_spots(**lens);
+        answer.facts["lens"] = to_json(**lens, spots);
+        answer.text = to_text(**lens, spots);
+    }
+    return give(answer, options.manner);
+}
+
 ExitCode info(const InfoOptions& options) {
+    if (is_lens(options.scene)) {
+        return lens_info(options);
+    }
     auto loaded = app::load_scene(options.scene);
     Answer answer;
     if (answer.add(loaded.diagnostics)) {
@@ -195,15 +221,17 @@ void add_info_command(CLI::App& app, ExitCode& code) {
     const auto describe = [](Command& command, InfoOptions& options) {
         command.add<InfoOptions>(
             {{scene_argument(&InfoOptions::scene,
-                             scene_files_text() + "; for cameras, see 'list' and 'explain'"),
+                             scene_files_text() +
+                                 ", or lens of glass (.dat, .zmx), built-in ones too; for "
+                                 "cameras, see 'list' and 'explain'"),
               flag({.name = "--objects",
                     .meaning = "list the objects with their ids in the object layer"},
                    true, &InfoOptions::objects),
               json_flag(&InfoOptions::manner, "print the facts and all objects as JSON")}},
             options);
-        command.footer("Example:\n  balcony info room.glb --objects");
+        command.footer("Examples:\n  balcony info room.glb --objects\n  balcony info dgauss.dat");
     };
-    add_command<InfoOptions>(app, code, "info", "describes a scene file", info, describe);
+    add_command<InfoOptions>(app, code, "info", "describes a scene file or a lens", info, describe);
 }
 
 }  // namespace balcony::cli
