@@ -44,6 +44,7 @@ CHECKS = (
         ("formula", "formulas through the simplifier and all runners"),
         ("map", "maps, images, tables and points of camera files"),
         ("marks", "files of marks to solved cameras"),
+        ("prescription", "prescriptions of lenses to rays"),
         ("scene", "glTF, OBJ, PLY, STL and images"), ("sums", "checkpoints and shards"))),
     Check("mistakes", "each place of each camera file changed once", 240,
           random_tests("OneMistake", BALCONY_MISTAKES_EVERY=1)),
