@@ -25,7 +25,7 @@ constexpr const char* turning = R"(
     })";
 
 std::stop_token stop_beforehand() {
-    static std::stop_source stop;  // g++ 12 with sanitizers takes a local one for uninitialised.
+    std::stop_source stop;
     stop.request_stop();
     return stop.get_token();
 }

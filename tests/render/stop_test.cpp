@@ -42,7 +42,7 @@ std::shared_ptr<const scene::Scene> large_scene() {
 }
 
 std::stop_token stop_beforehand() {
-    static std::stop_source stop;  // g++ 12 with sanitizers takes a local one for uninitialised.
+    std::stop_source stop;
     stop.request_stop();
     return stop.get_token();
 }
