@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <random>
 #include <string>
@@ -51,6 +52,18 @@ std::optional<V2d> on_sensor(const Prescription& lens, const Ray& ray, double be
 V2d sensor_point(const ParaxialLens& near_axis, const V2d& point) {
     const double f = near_axis.focal_length;
     return {-f * 0.36 * (1.0 - 2.0 * point.x / pixels), f * 0.36 * (2.0 * point.y / pixels - 1.0)};
+}
+
+/// The point of the square that the concentric map takes to a point of the disc.
+V2d on_square(const V2d& disc) {
+    const double radius = disc.length();
+    const double angle = std::atan2(disc.y, disc.x);
+    const double quarter = std::round(angle / (0.5 * std::numbers::pi));
+    const double part = (angle - quarter * 0.5 * std::numbers::pi) / (0.25 * std::numbers::pi);
+    const V2d right(radius, radius * part);
+    const double c = std::round(std::cos(quarter * 0.5 * std::numbers::pi));
+    const double s = std::round(std::sin(quarter * 0.5 * std::numbers::pi));
+    return {c * right.x - s * right.y, s * right.x + c * right.y};
 }
 
 template <class Check>
@@ -168,6 +181,20 @@ TEST(PrescribedLens, HasExactVignetting) {
     }
 }
 
+// In the middle of the picture, no samples are lost but those of the disc's margin of 1 %, also
+// where beside the axis a mount takes a part of the stop's image. In the triplet, that image
+// is 1.18 times as wide near the edge of the light as in the middle.
+TEST(PrescribedLens, LosesFewSamples) {
+    const V2d middle(200.0, 200.0);
+    for (const double f_number : {2.2, 5.6, 16.0, 32.0}) {
+        const LensRaysAt rays(
+            camera_text("petzval.dat", fmt::format(", focus = 1e12, f_number = {}", f_number)));
+        EXPECT_GT(lit_part(rays, middle), 0.96) << f_number;
+    }
+    const LensRaysAt narrow(camera_text("triplet.dat", ", focus = 1e12, f_number = 32"));
+    EXPECT_GT(lit_part(narrow, middle), 0.99 / (1.18 * 1.18));
+}
+
 // Where the lens takes the light of a point there is no ray, but the picture is there, and dark.
 TEST(PrescribedLens, TellsBlockedLightFromPointsWithoutARay) {
     const LensRaysAt rays(camera_text("petzval.dat", ", focus = 1e12"));
@@ -225,6 +252,26 @@ TEST(PrescribedLens, HasBlades) {
     for (const double r : {0.6, 0.68, 0.74, 0.9}) {
         EXPECT_TRUE(round(middle, {r, r}).valid) << r;
         EXPECT_EQ(square(middle, {r, r}).valid, r < 0.7) << r;
+    }
+}
+
+// Of a stop with three blades, which is not symmetric about the picture's axes, wherever it is
+// turned to: of the circle, an equilateral triangle has the part 3 √3/(4 π). 3 % are the rings and
+// sectors of the samples and the aberrations of the pupil.
+TEST(PrescribedLens, HasBladesThatAreNotSymmetric) {
+    const std::string stop = ", focus = 1e12, f_number = 4";
+    const double round = lit_part(LensRaysAt(camera_text("dgauss.dat", stop)), {200.0, 200.0});
+    const double triangle = 3.0 * std::sqrt(3.0) / (4.0 * std::numbers::pi);
+    for (const int degrees : {0, 40, 90, 180}) {
+        const LensRaysAt rays(camera_text(
+            "dgauss.dat", fmt::format("{}, blades = 3, rotation = {}deg", stop, degrees)));
+        EXPECT_NEAR(lit_part(rays, {200.0, 200.0}) / round, triangle, 0.03 * triangle) << degrees;
+        // A corner of the triangle, and the middle of the side on its other side.
+        const double angle = (90.0 + degrees) * std::numbers::pi / 180.0;
+        const V2d corner(std::cos(angle), std::sin(angle));
+        EXPECT_TRUE(rays({200.0, 200.0}, on_square(0.9 * corner)).valid) << degrees;
+        EXPECT_TRUE(rays({200.0, 200.0}, on_square(-0.45 * corner)).valid) << degrees;
+        EXPECT_FALSE(rays({200.0, 200.0}, on_square(-0.6 * corner)).valid) << degrees;
     }
 }
 
