@@ -162,4 +162,7 @@ private:
     std::unique_ptr<Implementation> implementation_;
 };
 
+/// The text of a built-in camera, with its comments; empty if there is none of this name.
+[[nodiscard]] std::string_view built_in_text(std::string_view name);
+
 }  // namespace balcony::lang

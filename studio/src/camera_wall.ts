@@ -10,12 +10,14 @@ import { bitmapOf } from "./picture_bytes";
 
 /** How long the hand is still before the pictures in view are asked for. */
 const pause = 120;
-const size = { width: 240, height: 150 };
+/** How long it waits before it asks again. */
+const patience = 500;
+const size = { width: 240, height: 135 };
 
 export interface WallServer {
     list(): Promise<BuiltInCamera[]>;
-    /** An empty list ends it. */
-    show(names: string[], size: { width: number; height: number }): void;
+    /** An empty list ends it. Rejects while there is no scene. */
+    show(names: string[], size: { width: number; height: number }): Promise<unknown>;
     take(name: string): void;
 }
 
@@ -92,7 +94,11 @@ export class CameraWall extends LitElement {
         const isMissing = (name: string): boolean => !this.pictures.has(name) && !this.failed.has(name);
         const names = this.found.map(({ name }) => name).filter(isMissing);
         const isFar = (name: string): number => (this.inView.has(name) ? 0 : 1);
-        if (this.dialog.open) this.server!.show(names.sort((a, b) => isFar(a) - isFar(b)), size);
+        if (!this.dialog.open) return;
+        this.server!.show(names.sort((a, b) => isFar(a) - isFar(b)), size).catch(() => {
+            clearTimeout(this.timer);
+            this.timer = window.setTimeout(() => this.ask(), patience);
+        });
     }
 
     private get found(): BuiltInCamera[] {
@@ -109,7 +115,7 @@ export class CameraWall extends LitElement {
     private closed(): void {
         this.observer?.disconnect();
         clearTimeout(this.timer);
-        this.server?.show([], size);
+        this.server?.show([], size).catch(() => {}); // Nothing was on its way.
     }
 
     private take(name: string): void {
@@ -138,7 +144,7 @@ export class CameraWall extends LitElement {
                       : html`<span class="spinner"></span>`}
             </span>
             <span class="name">${name}</span>
-            <span class="about quiet">${about}</span>
+            <span class="about quiet">${about.split(/(?<=\.)\s/, 1)[0]}</span>
         </button>`;
     }
 
@@ -150,7 +156,7 @@ export class CameraWall extends LitElement {
             <div class="top">
                 <h2>Start with a camera</h2>
                 <input
-                    type="search"
+                    role="searchbox"
                     placeholder="panorama, stereo, map, fisheye…"
                     aria-label="Search by what cameras are for"
                     @input=${(event: Event) => void this.searched(event)}

@@ -271,8 +271,18 @@ export class Session implements Listener {
         const symbols = await this.connection.request<DocumentSymbol[]>("textDocument/documentSymbol", {
             textDocument: { uri: this.about!.uri },
         });
+        const before = this.cameras;
         this.symbols = symbols;
+        this.chooseAgain(before);
         this.page.changed();
+    }
+
+    /** The camera that is shown may have another name now, or be gone: then the last one is shown. */
+    private chooseAgain(before: string[]): void {
+        const now = this.cameras;
+        if (!before.includes(this.chosen) || now.includes(this.chosen) || now.length === 0) return;
+        const renamed = now.length === before.length ? now[before.indexOf(this.chosen)]! : "";
+        this.changeView({ camera: renamed, values: [] });
     }
 
     async findHandles(): Promise<void> {

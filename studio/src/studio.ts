@@ -274,7 +274,7 @@ export class BalconyStudio extends LitElement implements Page {
     private readonly wallServer: WallServer = {
         list: async () =>
             (await this.session.connection.request<{ cameras: BuiltInCamera[] }>("cameras/list", {})).cameras,
-        show: (names, size) => this.session.connection.notify("cameras/show", { names, ...size }),
+        show: (names, size) => this.session.connection.request("cameras/show", { names, ...size }),
         take: (name) => this.attempt(this.takeCamera(name)),
     };
 

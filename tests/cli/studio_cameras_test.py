@@ -46,6 +46,17 @@ class Cameras(StudioTest):
         page.result("cameras/show", names=names[:1], width=32, height=32)
         self.assertEqual(self.shown(page, names[:1])["pinhole"]["width"], 32)
 
+    def test_a_text(self):
+        self.open(scene="missing.obj")
+        page = self.page().begin()
+        text = page.result("cameras/text", name="panorama")["text"]
+        self.assertRegex(text, r"(?m)^camera panorama\(.*yaw = 0deg")
+        page.edit(text)
+        self.assertEqual(page.wait_for("textDocument/publishDiagnostics",
+                                       version=page.version)["diagnostics"], [])
+        self.assertIn("fisheye", page.error("cameras/text", name="fishey")["message"])
+        self.assertEqual(page.error("cameras/text", name="/etc/passwd")["code"], -32602)
+
     def test_what_cannot_be_shown(self):
         self.open(scene="room.glb")
         page = self.page().begin()

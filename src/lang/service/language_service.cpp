@@ -3,6 +3,7 @@
 
 #include "balcony/language_service.hpp"
 
+#include "lang/built_in_cameras.hpp"
 #include "lang/service/known_text.hpp"
 
 namespace balcony::lang {
@@ -65,6 +66,11 @@ Result<std::vector<TextEdit>> EditedText::moved(std::string_view camera, const H
 Result<std::vector<TextEdit>> EditedText::with_values(
     std::string_view camera, const std::vector<ParameterMove>& values) const {
     return lang::with_values(*implementation_, camera, values);
+}
+
+std::string_view built_in_text(std::string_view name) {
+    const BuiltInCamera* const camera = find_built_in_camera(name);
+    return camera != nullptr ? camera->text : std::string_view();
 }
 
 }  // namespace balcony::lang

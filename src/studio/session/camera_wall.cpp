@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "balcony/lang.hpp"
+#include "balcony/language_service.hpp"
 #include "balcony/studies.hpp"
 #include "lsp/rpc.hpp"
 #include "studio/session/frame_message.hpp"
@@ -32,15 +33,19 @@ std::size_t side_of(const json& number) {
     return number.get<std::size_t>();
 }
 
-// Only built-in cameras: no other file is read.
+// No other file is read.
+void require_built_in(const std::string& name) {
+    if (lang::family_of(name).empty()) {
+        throw lsp::Refusal{lsp::invalid_params,
+                           fmt::format("there is no built-in camera '{}': {}", name,
+                                       lang::instead_of_camera(name))};
+    }
+}
+
 std::vector<std::string> names_of(const json& asked) {
     auto names = asked.get<std::vector<std::string>>();
     for (const std::string& name : names) {
-        if (lang::family_of(name).empty()) {
-            throw lsp::Refusal{lsp::invalid_params,
-                               fmt::format("there is no built-in camera '{}': {}", name,
-                                           lang::instead_of_camera(name))};
-        }
+        require_built_in(name);
     }
     return names;
 }
@@ -112,6 +117,11 @@ void CameraWall::take(const live::Thumbnail& made, const Bytes& bytes) {
     }
     made_[made.camera] = bytes;
     told_.picture(bytes);
+}
+
+std::string camera_text(const std::string& built_in_camera) {
+    require_built_in(built_in_camera);
+    return std::string(lang::built_in_text(built_in_camera));
 }
 
 }  // namespace balcony::studio

@@ -49,4 +49,7 @@ private:
     std::unique_ptr<live::Thumbnails> thumbnails_;  ///< The last member: its threads use the others.
 };
 
+/// The text of a built-in camera. Throws a Refusal.
+[[nodiscard]] std::string camera_text(const std::string& built_in_camera);
+
 }  // namespace balcony::studio

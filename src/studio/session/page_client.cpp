@@ -31,6 +31,7 @@ const PageClient::Row PageClient::rows[] = {
     {"file/save", &PageClient::save},
     {"cameras/list", &PageClient::list_cameras},
     {"cameras/show", &PageClient::show_cameras},
+    {"cameras/text", &PageClient::write_camera},
 };
 
 // Requests about the text, or about a camera of it.
@@ -243,6 +244,10 @@ json PageClient::list_cameras(const json& /*asked*/) { return studio_.wall().lis
 json PageClient::show_cameras(const json& asked) {
     studio_.wall().show(studio_.view(), asked);
     return nullptr;
+}
+
+json PageClient::write_camera(const json& asked) {
+    return {{"text", camera_text(asked.at("name").get<std::string>())}};
 }
 
 json PageClient::save(const json& asked) {

@@ -61,6 +61,7 @@ private:
     [[nodiscard]] nlohmann::json see(const nlohmann::json& asked);
     [[nodiscard]] nlohmann::json list_cameras(const nlohmann::json& asked);
     [[nodiscard]] nlohmann::json show_cameras(const nlohmann::json& asked);
+    [[nodiscard]] nlohmann::json write_camera(const nlohmann::json& asked);
     [[nodiscard]] nlohmann::json save(const nlohmann::json& asked);
 
     Studio& studio_;
