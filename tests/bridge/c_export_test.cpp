@@ -111,7 +111,7 @@ TEST(CExport, ComputesTheGraphToTheLastBit) {
     ASSERT_TRUE(library.compiled());
     std::size_t compared = 0;
     for (const Example& example : test::examples()) {
-        const auto formulas = formulas_of(example.camera, {example.camera.parts().axes, false});
+        const auto formulas = formulas_of(example.camera, {"c", example.camera.parts().axes});
         if (!formulas) {
             continue;
         }

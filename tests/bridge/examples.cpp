@@ -74,7 +74,7 @@ const std::vector<Example>& examples() {
 }
 
 bool has_formulas(const Example& example) {
-    return formulas_of(example.camera, {example.camera.parts().axes, false}).value.has_value();
+    return formulas_of(example.camera, {"c", example.camera.parts().axes}).value.has_value();
 }
 
 std::vector<PicturePoint> points() {

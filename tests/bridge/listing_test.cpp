@@ -42,7 +42,7 @@ TEST(Formulas, OfACameraWithoutAFormulaNameTheStage) {
             "test", "camera c { map u = 0 .. 1, v = 0 .. 1  eye mesh(\"vase.obj\")  look normal }"),
         "");
     ASSERT_TRUE(camera) << to_text(camera.diagnostics);
-    const auto made = formulas_of(*camera, {});
+    const auto made = formulas_of(*camera, {"c"});
     ASSERT_FALSE(made);
     EXPECT_NE(made.diagnostics.front().message.find("eye mesh(\"vase.obj\")"), std::string::npos)
         << made.diagnostics.front().message;

@@ -82,7 +82,7 @@ TEST(PovExport, ComputesTheRaysOfAllExamplesThatItCanExpress) {
         EXPECT_LE(scene.max_parameters(), 56U) << example.name;
         // Everything is computed at most once for each of six coordinates; besides, there are the
         // conversion of the point, the choice of the coordinate, and helpers of several operations.
-        const auto formulas = formulas_of(pinhole.camera, {Axes::y_up, false});
+        const auto formulas = formulas_of(pinhole.camera, {"pov", Axes::y_up});
         EXPECT_LE(scene.cost().operations, rays.size() * 6 * (operations(*formulas) + 10))
             << example.name;
     }

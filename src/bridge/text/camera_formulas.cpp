@@ -165,7 +165,11 @@ const StageFormulas* stage_with(const CameraFormulas& made, NodeId node) {
 
 Result<CameraFormulas> formulas_of(const camera::Camera& camera, const FormulaRequest& request) {
     if (camera.parts().bend) {
-        return rays::bent_rays_error(camera.name(), camera.parts().bend_span);
+        return error(
+            fmt::format("the camera '{}' cannot be exported to '{}': its rays are bent, and "
+                        "'{}' holds straight rays only",
+                        camera.name(), request.target, request.target),
+            camera.parts().bend_span, "remove its bend, or make its picture with 'balcony render'");
     }
     try {
         CameraFormulas made = emitted(camera, request);

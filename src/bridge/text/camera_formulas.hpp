@@ -41,6 +41,7 @@ struct CameraFormulas {
 };
 
 struct FormulaRequest {
+    std::string_view target;  ///< The export that they are for, as `balcony export --to` has it.
     Axes axes = Axes::z_up;
     bool footprints = false;
     /// Footprints only to measure by: they are computed from the other roots, which stay as they
@@ -49,7 +50,7 @@ struct FormulaRequest {
 };
 
 /// The formulas of a camera in a picture of any size. An error if they are too large, if they need
-/// a scene, or if a stage has no formula.
+/// a scene, if a stage has no formula, or if the rays are bent.
 [[nodiscard]] Result<CameraFormulas> formulas_of(const camera::Camera& camera,
                                                  const FormulaRequest& request);
 

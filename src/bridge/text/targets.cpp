@@ -36,8 +36,10 @@ Result<ExportedCamera> export_camera(const ExportTarget& target, const ExportSou
     const bool inverse = options.inverse && target.has_inverse;
     const Axes usual = target.axes.value_or(camera->parts().axes);
     Result<CameraFormulas> formulas =
-        formulas_of(*camera, {target.only_axes ? usual : options.axes.value_or(usual),
-                              target.footprints, is_judged || inverse});
+        formulas_of(*camera, {.target = target.name,
+                              .axes = target.only_axes ? usual : options.axes.value_or(usual),
+                              .footprints = target.footprints,
+                              .measured = is_judged || inverse});
     if (!formulas) {
         return std::move(formulas.diagnostics);
     }
