@@ -76,6 +76,46 @@ TEST(BentInverse, RefusesTooManyParts) {
     EXPECT_NE(to_text(locator.diagnostics).find("have 101 straight parts"), std::string::npos);
 }
 
+// The limit is that of parts in the bend; what is behind it is searched too.
+TEST(BentInverse, SearchesTheMostParts) {
+    const std::string text = pinhole(
+        "bend curve(point(s, x, y, z, dx, dy, dz) = [x + 9*s*dx, y + 9*s*dy, z + 9*s*dz + s^2], "
+        "parts = 64)");
+    const auto locator = Locator::make(test::camera_of(text), 100.0, 100.0);
+    ASSERT_TRUE(locator) << to_text(locator.diagnostics);
+    // Behind the bend, the ray in the middle rises by 2 in 9.
+    EXPECT_EQ(locator->locate(V3d(18.0, 0.0, 3.0)).size(), 1U);
+}
+
+// A path of many parts is drawn by few lines, which are near it.
+TEST(BentDrawing, LeavesOutCornersThatNobodySees) {
+    Depiction depiction;
+    depiction.rays = 1;
+    const auto arrows_of = [&](const std::string& height) {
+        const auto geometry =
+            measure_geometry(test::camera_of(pinhole("bend curve(point(s, x, y, z, dx, dy, dz) = "
+                                                     "[x + 10*s, y, z + " +
+                                                     height + "], parts = 256)")),
+                             depiction);
+        EXPECT_TRUE(geometry) << to_text(geometry.diagnostics);
+        return geometry->cameras[0].geometry.rays;
+    };
+    EXPECT_EQ(arrows_of("0").size(), 1U);
+    const std::vector<Arrow> parabola = arrows_of("5*s^2");
+    EXPECT_LT(parabola.size(), 40U);
+    EXPECT_TRUE(parabola.back().has_head);
+    // The path and its tenth beyond are 12.63 long.
+    constexpr double visible = 12.63 / 2000.0;
+    for (const Arrow& arrow : parabola) {
+        for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+            const V3d at = arrow.from + t * (arrow.to - arrow.from);
+            if (at.x <= 10.0) {
+                EXPECT_NEAR(at.z, 0.05 * at.x * at.x, visible * std::sqrt(2.0)) << at;
+            }
+        }
+    }
+}
+
 // The drawn lines follow the path, with one head at its end.
 TEST(BentDrawing, ShowsThePathsOfRays) {
     Depiction depiction;

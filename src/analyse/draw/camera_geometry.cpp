@@ -98,6 +98,33 @@ double median_reach(const std::vector<Shown>& rays) {
     return median(std::move(all)).value_or(0.0);
 }
 
+/// A path with fewer corners: without those near the line from the last corner that is kept to the
+/// next one that is.
+std::vector<V3d> thinned(const std::vector<V3d>& path, double visible) {
+    const auto is_near_line = [&](const V3d& point, const V3d& from, const V3d& to) {
+        const V3d way = to - from;
+        const double square = way.length2();
+        const double part =
+            square > 0.0 ? std::clamp((point - from).dot(way) / square, 0.0, 1.0) : 0.0;
+        return (from + part * way - point).length() <= visible;
+    };
+    std::vector<V3d> kept;
+    std::size_t last = 0;
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        const auto is_straight_to = [&](std::size_t end) {
+            return std::all_of(
+                path.begin() + static_cast<std::ptrdiff_t>(last) + 1,
+                path.begin() + static_cast<std::ptrdiff_t>(end),
+                [&](const V3d& one) { return is_near_line(one, path[last], path[end]); });
+        };
+        if (i == 0 || i + 1 == path.size() || !is_straight_to(i + 1)) {
+            kept.push_back(path[i]);
+            last = i;
+        }
+    }
+    return kept;
+}
+
 // A bent ray up to a length; without one, the whole bend and a little more.
 void add_bent_arrow(const std::vector<rays::RayBatch::Part>& path,
                     const std::optional<double>& length, std::vector<Arrow>& made) {
@@ -106,14 +133,26 @@ void add_bent_arrow(const std::vector<rays::RayBatch::Part>& path,
     for (std::size_t i = 0; i + 1 < path.size(); ++i) {
         bend += path[i].length;
     }
-    double left = length.value_or(beyond * bend);
+    constexpr double visible = 1.0 / 2000.0;  // Of a line that may be as long as the page.
+    const double whole = length.value_or(beyond * bend);
+    double left = whole;
+    std::vector<V3d> corners{path.front().origin};
     for (const auto& [origin, direction, part_length] : path) {
         const double shown = std::min(part_length, left);
-        left -= shown;
-        if (shown > 0.0 && is_near(origin + shown * direction)) {
-            made.push_back({origin, origin + shown * direction, false});
-            made.back().has_head = !(left > 0.0);
+        if (!(shown > 0.0)) {
+            continue;
         }
+        const V3d end = origin + shown * direction;
+        if (!is_near(end)) {
+            break;
+        }
+        left -= shown;
+        corners.push_back(end);
+    }
+    corners = thinned(corners, visible * whole);
+    for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
+        const bool is_end = i + 2 == corners.size() && !(left > 0.0);
+        made.push_back({corners[i], corners[i + 1], is_end});
     }
 }
 

@@ -25,8 +25,8 @@ namespace {
 // Sightings closer to each other than this, in pixels, are merged.
 constexpr double same_place = 1e-3;
 
-// Each straight part of bent rays is searched by itself.
-constexpr std::size_t max_searched_parts = 64;
+// Each straight part of bent rays is searched by itself: those of a bend, and what is behind it.
+constexpr std::size_t max_searched_parts = 64 + 1;
 
 // Clamps a position that rounding moved outside; nothing if it is really outside.
 std::optional<V2d> inside(const V2d& place, const V2d& picture) {
