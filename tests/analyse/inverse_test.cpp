@@ -33,8 +33,12 @@ using std::numbers::pi;
 std::vector<double> misses(const camera::Camera& camera, double height, std::size_t count) {
     const double width = std::round(height * camera.parts().aspect);
     const RandomPoints random(camera, width, height, count);
-    const auto locator = Locator::make(camera, width, height);
     std::vector<double> nearest(random.points.size(), std::numeric_limits<double>::infinity());
+    const auto locator = Locator::make(camera, width, height);
+    EXPECT_TRUE(locator) << to_text(locator.diagnostics);
+    if (!locator) {
+        return nearest;
+    }
     for (const Sighting& sighting : locator->locate(random.points)) {
         double& miss = nearest[sighting.point];
         miss = std::min(miss, (sighting.position - random.places[sighting.point]).length());

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -37,12 +38,26 @@ RayProgram compiled(const camera::Camera& camera, double width, double height,
     return *made;
 }
 
-// The ray at one point.
-Ray ray_at(const RayProgram& program, const V2d& point, double time = 0.0) {
+// The ray at one point, as the only one of a batch.
+RayBatch batch_at(const RayProgram& program, const V2d& point, double time = 0.0) {
     Scratch scratch;
     RayBatch batch;
     program.run(Points{std::span(&point.x, 1), std::span(&point.y, 1), time}, scratch, batch);
-    return batch[0];
+    return batch;
+}
+
+Ray ray_at(const RayProgram& program, const V2d& point, double time = 0.0) {
+    return batch_at(program, point, time)[0];
+}
+
+// The points where a ray turns, and its last direction.
+std::vector<V3d> bend_of(const RayBatch& one) {
+    std::vector<V3d> made;
+    for (std::size_t i = 1; i < one.part_count(); ++i) {
+        made.push_back(one.part(0, i).origin);
+    }
+    made.push_back(one.part(0, one.part_count() - 1).direction);
+    return made;
 }
 
 TEST(RayProgram, GivesTheSameRaysOverTilesAndAtPoints) {
@@ -87,9 +102,20 @@ TEST(RayProgram, AgreesWithTheScalarDefinitions) {
         const camera::Camera camera = built_in(name);
         expr::Graph graph;
         const camera::RayExpressions ray = camera.emit(graph, 160, 90);
-        const std::array roots{ray.origin.x,    ray.origin.y,    ray.origin.z,    ray.direction.x,
-                               ray.direction.y, ray.direction.z, ray.parameters.u};
-        const Ray found = ray_at(compiled(camera, 160, 90, {.points = true}), {62.25, 50.75});
+        std::vector<expr::Expr> roots{ray.origin.x,    ray.origin.y,    ray.origin.z,
+                                      ray.direction.x, ray.direction.y, ray.direction.z,
+                                      ray.parameters.u};
+        const std::size_t straight = roots.size();
+        if (ray.bend) {
+            for (const camera::ObjectPoint& knot : ray.bend->knots) {
+                roots.insert(roots.end(), {knot.x, knot.y, knot.z});
+            }
+            const camera::ObjectVector& last = ray.bend->direction;
+            roots.insert(roots.end(), {last.x, last.y, last.z});
+        }
+        const RayBatch batch =
+            batch_at(compiled(camera, 160, 90, {.points = true, .bends = true}), {62.25, 50.75});
+        const Ray found = batch[0];
         const std::vector<double> v = expr::evaluate(roots, {62.25, 50.75, 0.0, {}});
         ASSERT_TRUE(found.valid) << name;
         // A runner's operations err by a few units in the last place each.
@@ -97,6 +123,13 @@ TEST(RayProgram, AgreesWithTheScalarDefinitions) {
         EXPECT_LT((found.origin - V3d(v[0], v[1], v[2])).length(), tolerance) << name;
         EXPECT_LT((found.direction - V3d(v[3], v[4], v[5])).length(), 1e-12) << name;
         EXPECT_NEAR(found.parameters.x, v[6], 1e-12) << name;
+        const std::vector<V3d> bend = bend_of(batch);
+        for (std::size_t i = 0; straight + 3 * i < v.size(); ++i) {
+            const double* wanted = &v[straight + 3 * i];
+            EXPECT_LT((bend[i] - V3d(wanted[0], wanted[1], wanted[2])).length(),
+                      1e-12 * (1.0 + bend[i].length()))
+                << name << ' ' << i;
+        }
     }
 }
 
@@ -234,11 +267,20 @@ TEST(Camera, LooksOutwardAtAllTimes) {
 TEST(Camera, DependsOnlyOnTheAspectRatio) {
     for (const std::string& name : laws::single_built_in_cameras()) {
         const camera::Camera camera = built_in(name);
-        const Ray small = ray_at(compiled(camera, 100, 75, {.points = true}), {33.0, 21.0});
-        const Ray large = ray_at(compiled(camera, 400, 300, {.points = true}), {132.0, 84.0});
-        EXPECT_LT((small.direction - large.direction).length(), 1e-12) << name;
-        EXPECT_LT((small.origin - large.origin).length(), 1e-12 * (1.0 + small.origin.length()))
+        const CompileOptions options{.points = true, .bends = true};
+        const RayBatch small = batch_at(compiled(camera, 100, 75, options), {33.0, 21.0});
+        const RayBatch large = batch_at(compiled(camera, 400, 300, options), {132.0, 84.0});
+        EXPECT_LT((small.direction(0) - large.direction(0)).length(), 1e-12) << name;
+        EXPECT_LT((small.origin(0) - large.origin(0)).length(),
+                  1e-12 * (1.0 + small.origin(0).length()))
             << name;
+        ASSERT_EQ(small.part_count(), large.part_count()) << name;
+        const std::vector<V3d> bend = bend_of(small);
+        const std::vector<V3d> of_large = bend_of(large);
+        for (std::size_t i = 0; i < bend.size(); ++i) {
+            EXPECT_LT((bend[i] - of_large[i]).length(), 1e-12 * (1.0 + bend[i].length()))
+                << name << ' ' << i;
+        }
     }
 }
 
