@@ -4,9 +4,13 @@
 // Bends by a field in space: an index of refraction or an acceleration; E. Gröller, "Nonlinear Ray
 // Tracing: Visualizing Strange Worlds" (1995).
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "camera/bends/straight_parts.hpp"
 #include "camera/catalogue/families.hpp"
@@ -39,29 +43,51 @@ public:
 
     BentPath path(const CentralRay& ray, Emitter& emit) const final {
         const auto knots_of = [this](const CentralRay& central, std::size_t parts, Emitter& to) {
-            return integrated(central, parts, to).knots;
+            return integrated(central, parts, to).path.knots;
         };
-        return integrated(ray, straight_parts(division_, ray, knots_of, emit), emit);
+        const std::size_t parts = straight_parts(division_, ray, knots_of, emit);
+        if (division_.parts > 0) {
+            report_unsteady_paths(parts, ray, knots_of, emit);
+        }
+        Flight flight = integrated(ray, parts, emit);
+        judge(flight, ray, emit);
+        return std::move(flight.path);
     }
 
 private:
     [[nodiscard]] virtual ObjectVector first_motion(const CentralRay& ray, Emitter& emit) const = 0;
     [[nodiscard]] virtual PathSlope slope(const PathState& at, Emitter& emit) const = 0;
+    /// Whether there can be a path at this point.
+    [[nodiscard]] virtual Expr is_passable(const PathState&, const Emitter& emit) const {
+        return emit(1.0);
+    }
+
+protected:
+    struct Flight {
+        BentPath path;
+        PathState end;
+        Expr is_passable;  ///< At the end of all steps.
+    };
+
+private:
+    /// Requires or reports what follows from the whole path.
+    virtual void judge(const Flight&, const CentralRay&, Emitter&) const {}
 
     // Steps of the classical Runge-Kutta method of order 4, over s from 0 to 1. A step may have
     // several straight parts: between its ends, the path is the cubic with the same points and
     // tangents, whose error is of the same order.
-    [[nodiscard]] BentPath integrated(const CentralRay& ray, std::size_t parts,
-                                      Emitter& emit) const {
+    [[nodiscard]] Flight integrated(const CentralRay& ray, std::size_t parts, Emitter& emit) const {
         const std::size_t parts_of_step = parts % 4 == 0 ? 4 : parts % 2 == 0 ? 2 : 1;
         const std::size_t steps = parts / parts_of_step;
         const double step = 1.0 / static_cast<double>(steps);
         PathState at{ray.origin, first_motion(ray, emit)};
         PathSlope here = scaled_slope(at, emit);
         std::vector<ObjectPoint> knots{at.point};
+        Expr passable = emit(1.0);
         for (std::size_t i = 0; i < steps; ++i) {
             const PathState next = stepped(at, here, step, emit);
             const PathSlope there = scaled_slope(next, emit);
+            passable = passable && is_passable(next, emit);
             for (std::size_t k = 1; k < parts_of_step; ++k) {
                 const double part = static_cast<double>(k) / static_cast<double>(parts_of_step);
                 knots.push_back(
@@ -71,7 +97,7 @@ private:
             at = next;
             here = there;
         }
-        return {std::move(knots), here.point};
+        return {{std::move(knots), here.point}, at, passable};
     }
 
     [[nodiscard]] PathState stepped(const PathState& at, const PathSlope& first, double step,
@@ -137,6 +163,34 @@ private:
     PathSlope slope(const PathState& at, Emitter& emit) const override {
         const std::vector<Expr> n = index_.emit(emit.graph(), coordinates(at.point));
         return {to_unit_length(at.motion), {n[1], n[2], n[3]}};
+    }
+    Expr is_passable(const PathState& at, const Emitter& emit) const override {
+        return 0.0 < index_.emit(emit.graph(), coordinates(at.point)).front();
+    }
+    // A jump of the index has no gradient, so it bends no ray: then |m| is not n behind it.
+    void judge(const Flight& flight, const CentralRay& ray, Emitter& emit) const override {
+        const ObjectPoint& start = flight.path.knots.front();
+        const Expr first = index_.emit(emit.graph(), coordinates(start)).front();
+        emit.require_somewhere(
+            !(0.0 < first) || flight.is_passable,
+            error("the refractive index of this bend is not positive along any ray", {},
+                  "write an index above 0, such as 1 of the void"));
+        constexpr double noticeable = 0.05;
+        const Expr last = index_.emit(emit.graph(), coordinates(flight.end.point)).front();
+        const std::array indices{first, last, sqrt(dot(flight.end.motion, flight.end.motion))};
+        const std::vector<Imath::V2d> points = trial_points(ray, emit);
+        const auto wrong = std::count_if(points.begin(), points.end(), [&](const Imath::V2d& at) {
+            const std::vector<double> n = emit.trial(indices, at.x, at.y);
+            const double change = std::abs(n[1] - n[0]);
+            return change > noticeable * n[0] && std::abs(n[2] - n[1]) > 0.5 * change;
+        });
+        if (wrong > 0) {
+            emit.report(warning(
+                fmt::format("on {} of {} rays over the picture, the refractive index of this bend "
+                            "changes by more than {:.0f} % without bending them",
+                            wrong, points.size(), 100.0 * noticeable),
+                {}, "let it change without a jump, over a length of several straight parts"));
+        }
     }
 
     Formula index_;

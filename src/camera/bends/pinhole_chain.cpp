@@ -5,6 +5,7 @@
 // Graph Camera" (2009); J. Cui, P. Rosen, V. Popescu, C. Hoffmann, "A Curved Ray Camera for
 // Handling Occlusions through Continuous Multiperspective Visualization" (2010).
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -47,6 +48,7 @@ public:
 
     BentPath path(const CentralRay& ray, Emitter& emit) const override {
         const std::vector<Turning> turnings = turnings_of(ray, emit);
+        report_missed_corner(turnings, ray, emit);
         BentPath made{{ray.origin}, turnings.back().direction};
         for (std::size_t i = 1; i < turnings.size(); ++i) {
             if (parts_of_corner_ == 0) {
@@ -80,6 +82,28 @@ private:
             turnings.push_back(turning(turnings.back(), i == 0, corner, across, pinhole, emit));
         }
         return turnings;
+    }
+
+    // A ray that misses a corner misses all behind it.
+    static void report_missed_corner(const std::vector<Turning>& turnings, const CentralRay& ray,
+                                     Emitter& emit) {
+        std::vector<Expr> reached;
+        for (const Turning& turning : turnings) {
+            reached.push_back(turning.reached);
+        }
+        std::size_t farthest = 0;
+        for (const Imath::V2d& point : trial_points(ray, emit)) {
+            const std::vector<double> values = emit.trial(reached, point.x, point.y);
+            const auto missed = std::find(values.begin(), values.end(), 0.0);
+            farthest = std::max(farthest, static_cast<std::size_t>(missed - values.begin()));
+        }
+        if (farthest < turnings.size()) {
+            emit.report(warning(
+                fmt::format("no ray of the picture turns at corner {} of this bend, because none "
+                            "comes to the plane that halves its angle",
+                            farthest),
+                {}, "move the corner to where the rays go, or turn the camera"));
+        }
     }
 
     [[nodiscard]] ObjectPoint corner_at(std::size_t i, const Emitter& emit) const {
@@ -140,7 +164,7 @@ StageResult make_chain(const Arguments& a) {
     const double parts = std::ceil(std::sqrt(rounding / (2.0 * tolerance)));
     const double knots = (parts + 1.0) * static_cast<double>(corners.size() - 1);
     if (knots > static_cast<double>(max_straight_parts)) {
-        return error(fmt::format("this chain needs {:.0f} straight parts to round its corners to "
+        return error(fmt::format("this chain needs {:.6g} straight parts to round its corners to "
                                  "within {:g}, but a bend has at most {}",
                                  knots, tolerance, max_straight_parts),
                      {}, "write a larger tolerance, less rounding, or fewer corners");

@@ -25,20 +25,6 @@ CentralRay copied(const CentralRay& ray, Graph& graph) {
     return CentralRay::of(expr::substitute(graph, ray.values(), {}));
 }
 
-/// The points of a grid over the picture that almost reaches its borders.
-std::vector<Imath::V2d> trial_points(const CentralRay& ray, const Emitter& emit) {
-    constexpr int side = 5;
-    constexpr double margin = 0.01;
-    const std::array extent{ray.picture.size.width, ray.picture.size.height};
-    const std::vector<double> size = emit.trial(extent, 0.0, 0.0);
-    std::vector<Imath::V2d> points;
-    for (int i = 0; i < side * side; ++i) {
-        const auto along = [&](int k) { return margin + (1.0 - 2.0 * margin) * k / (side - 1.0); };
-        points.emplace_back(along(i % side) * size[0], along(i / side) * size[1]);
-    }
-    return points;
-}
-
 /// The paths of the trial points that are finite.
 std::vector<std::optional<Polyline>> trial_paths(std::span<const Imath::V2d> points,
                                                  std::span<const ObjectPoint> knots,
@@ -85,6 +71,19 @@ double deviation(const Polyline& coarse, const Polyline& fine) {
 
 }  // namespace
 
+std::vector<Imath::V2d> trial_points(const CentralRay& ray, const Emitter& emit) {
+    constexpr int side = 5;
+    constexpr double margin = 0.01;
+    const std::array extent{ray.picture.size.width, ray.picture.size.height};
+    const std::vector<double> size = emit.trial(extent, 0.0, 0.0);
+    std::vector<Imath::V2d> points;
+    for (int i = 0; i < side * side; ++i) {
+        const auto along = [&](int k) { return margin + (1.0 - 2.0 * margin) * k / (side - 1.0); };
+        points.emplace_back(along(i % side) * size[0], along(i / side) * size[1]);
+    }
+    return points;
+}
+
 std::vector<StageParameter> division_parameters() {
     return {{.name = "tolerance",
              .type = NumberParameter{.default_value = Division().tolerance,
@@ -108,6 +107,7 @@ std::size_t straight_parts(const Division& division, const CentralRay& ray,
     // Fewer samples could miss that a path turns to and fro.
     constexpr std::size_t fewest_samples = 16;
     std::optional<double> error_of_most;
+    const auto is_finite = [](const std::optional<Polyline>& path) { return path.has_value(); };
     for (const std::size_t parts :
          std::array<std::size_t, 16>{1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256}) {
         Graph graph;
@@ -124,12 +124,21 @@ std::size_t straight_parts(const Division& division, const CentralRay& ray,
             }
         }
         if (farthest && *farthest <= division.tolerance) {
+            const auto lost = std::count_if(coarse.begin(), coarse.end(), is_finite) -
+                              std::count_if(fine.begin(), fine.end(), is_finite);
+            if (lost > 0) {
+                emit.report(warning(
+                    fmt::format("on {} of {} rays over the picture, the numbers of this bend are "
+                                "not finite between the ends of its straight parts",
+                                lost, points.size()),
+                    {}, "let its formula be defined along the rays, or write a number of parts"));
+            }
             return parts;
         }
         error_of_most = farthest;
     }
     if (!error_of_most) {
-        return 1;  // No path is finite, which its camera reports.
+        return max_straight_parts;  // No path is finite, which its camera reports.
     }
     emit.report(error(
         fmt::format("this bend needs more than {} straight parts to be within {:g} of its curve: "
@@ -137,6 +146,38 @@ std::size_t straight_parts(const Division& division, const CentralRay& ray,
                     max_straight_parts, division.tolerance, *error_of_most),
         {}, "write a larger tolerance, a shorter path, or a number of parts"));
     return 1;
+}
+
+void report_unsteady_paths(std::size_t parts, const CentralRay& ray, const KnotsOfParts& knots,
+                           Emitter& emit) {
+    constexpr double noticeable = 0.01;
+    Graph graph;
+    Emitter trial = emit.into(graph);
+    const CentralRay central = copied(ray, graph);
+    const std::vector<Imath::V2d> points = trial_points(central, trial);
+    const auto coarse = trial_paths(points, knots(central, parts, trial), trial);
+    const auto fine = trial_paths(points, knots(central, 2 * parts, trial), trial);
+    std::size_t unsteady = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (!coarse[i] || !fine[i]) {
+            unsteady += coarse[i] ? 1 : 0;
+            continue;
+        }
+        double length = 0.0;
+        double farthest = 0.0;
+        for (std::size_t k = 1; k <= parts; ++k) {
+            length += ((*fine[i])[2 * k] - (*fine[i])[2 * k - 2]).length();
+            farthest = std::max(farthest, ((*fine[i])[2 * k] - (*coarse[i])[k]).length());
+        }
+        unsteady += farthest <= noticeable * length ? 0 : 1;
+    }
+    if (unsteady > 0) {
+        emit.report(warning(
+            fmt::format("on {} of {} rays over the picture, the path of this bend is another one "
+                        "by more than {:.0f} % of its length if it has twice as many parts",
+                        unsteady, points.size(), 100.0 * noticeable),
+            {}, "write more parts, a shorter path, or a field that changes less quickly"));
+    }
 }
 
 }  // namespace balcony::camera

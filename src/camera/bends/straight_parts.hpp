@@ -8,6 +8,8 @@
 #include <functional>
 #include <vector>
 
+#include <Imath/ImathVec.h>
+
 #include "balcony/catalogue.hpp"
 
 namespace balcony::camera {
@@ -32,8 +34,17 @@ struct Division {
 /// The number of parts of all rays. That which a tolerance needs is the least one for which no
 /// point of the path is farther from the straight parts than the tolerance, on the rays of a grid
 /// over the picture at time 0, where the path of at least twice as many parts stands for the exact
-/// one. If that takes more than max_straight_parts, an error is reported.
+/// one. If that takes more than max_straight_parts, an error is reported, and a warning if the
+/// exact one of some ray is not finite.
 [[nodiscard]] std::size_t straight_parts(const Division& division, const CentralRay& ray,
                                          const KnotsOfParts& knots, Emitter& emit);
+
+/// Reports how many of these rays have knots that are elsewhere with twice as many parts, as those
+/// of an integration have whose steps are too long.
+void report_unsteady_paths(std::size_t parts, const CentralRay& ray, const KnotsOfParts& knots,
+                           Emitter& emit);
+
+/// The points of a grid over the picture that almost reaches its borders.
+[[nodiscard]] std::vector<Imath::V2d> trial_points(const CentralRay& ray, const Emitter& emit);
 
 }  // namespace balcony::camera

@@ -298,6 +298,10 @@ Camera::Emitted::Emitted(Parts made_of, const std::stop_token& stop, std::size_t
         Diagnostics of_bend = bend_emit.problems();
         const Diagnostics nowhere = unmet_needs(picture, bend_emit);
         of_bend.insert(of_bend.end(), nowhere.begin(), nowhere.end());
+        if (has_errors(of_bend)) {  // What else is doubtful follows from these.
+            std::erase_if(of_bend,
+                          [](const Diagnostic& one) { return one.severity == Severity::warning; });
+        }
         for (Diagnostic& problem : of_bend) {
             problem.span = parts.bend_span;
             problems.push_back(std::move(problem));
