@@ -87,7 +87,7 @@ TEST_P(BuiltIn, FitsAScene) {
     constexpr std::size_t side = 48;
     const auto width = static_cast<std::size_t>(std::lround(side * made->aspect()));
     const Result<rays::CompiledPicture> picture =
-        rays::compile(*made, static_cast<double>(width), side, {});
+        rays::compile(*made, static_cast<double>(width), side, {.bends = true});
     ASSERT_TRUE(picture);
     std::size_t valid = 0;
     rays::Scratch scratch;

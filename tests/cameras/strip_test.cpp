@@ -4,9 +4,14 @@
 // Strip cameras against their published projections: every point of a ray is projected to the place
 // in the picture that the ray belongs to.
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <random>
+#include <string>
+#include <vector>
 
 #include "support.hpp"
 
@@ -114,6 +119,146 @@ TEST(PathStrip, FollowsABentPath) {
             EXPECT_GT(step_to_the_right(ray, 0.0), 0.0);
         }
     }
+}
+
+namespace {
+
+/// Where rays of a camera along x are at a depth.
+struct AtDepth {
+    explicit AtDepth(const Rays& camera) {
+        for (int i = 0; i < 25; ++i) {
+            rays.push_back(camera.at(0.05 + 0.225 * (i % 5), 0.05 + 0.225 * (i / 5)));
+            EXPECT_TRUE(rays.back().valid);
+        }
+    }
+    [[nodiscard]] std::vector<V2d> operator()(double depth) const {
+        std::vector<V2d> found;
+        for (const Ray& ray : rays) {
+            const V3d at = ray.origin + (depth - ray.origin.x) / ray.direction.x * ray.direction;
+            found.emplace_back(at.y, at.z);
+        }
+        return found;
+    }
+    /// The characteristic equation of Yu and McMillan: twice the area of the triangle of three rays
+    /// at a depth, as coefficients of 1, depth and its square.
+    [[nodiscard]] std::array<double, 3> characteristic() const {
+        const auto area = [this](double depth) {
+            const std::vector<V2d> p = (*this)(depth);
+            return (p[4] - p[0]) % (p[20] - p[0]);
+        };
+        return {area(0.0), 0.5 * (area(1.0) - area(-1.0)),
+                0.5 * (area(1.0) + area(-1.0)) - area(0.0)};
+    }
+    std::vector<Ray> rays;
+};
+
+double extent(const std::vector<V2d>& points) {
+    double most = 0.0;
+    for (const V2d& point : points) {
+        most = std::max(most, (point - points.front()).length());
+    }
+    return most;
+}
+
+// The largest triangle with the first point and the one that is farthest from it.
+double width_across(const std::vector<V2d>& points) {
+    const V2d far =
+        *std::max_element(points.begin(), points.end(), [&](const V2d& a, const V2d& b) {
+            return (a - points.front()).length() < (b - points.front()).length();
+        });
+    double most = 0.0;
+    for (const V2d& point : points) {
+        most = std::max(most, std::abs((far - points.front()) % (point - points.front())));
+    }
+    return most;
+}
+
+// The least distance between the lines of two of the rays.
+double nearest(const std::vector<Ray>& rays) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        for (std::size_t k = 0; k < i; ++k) {
+            const V3d across = rays[i].direction % rays[k].direction;
+            const double sine = across.length();
+            least =
+                sine < tolerance
+                    ? least
+                    : std::min(least, std::abs((rays[i].origin - rays[k].origin) ^ across) / sine);
+        }
+    }
+    return least;
+}
+
+}  // namespace
+
+// The kinds of the paper by the roots of the characteristic equation, and what all rays of each
+// kind have in common. Its eighth kind, with all rays in one plane, has no picture.
+TEST(GeneralLinear, HasTheKindsOfYuAndMcMillan) {
+    enum class Common { lines, point, none };
+    struct Kind {
+        const char* name;
+        const char *across, *up, *turn, *skew;
+        int degree;  ///< Of the characteristic equation.
+        std::vector<double> roots;
+        Common common;
+        bool parallel_to_plane, parallel;
+    };
+    const std::vector<Kind> kinds{
+        {"cross-slit", "0.8", "0.5", "0", "0", 2, {-2.0, -1.25}, Common::lines, false, false},
+        {"slanted", "0.8", "0.5", "0", "0.2", 2, {-2.5, -10.0 / 9.0}, Common::lines, false, false},
+        {"pinhole", "0.8", "0.8", "0", "0", 2, {-1.25}, Common::point, false, false},
+        {"pencil", "0.5", "0.5", "0.2", "0.2", 2, {-2.0}, Common::lines, false, false},
+        {"pushbroom", "0", "0.8", "0", "0", 1, {-1.25}, Common::lines, true, false},
+        {"orthographic", "0", "0", "0", "0", 0, {}, Common::none, true, true},
+        {"twisted", "0", "0", "0.3", "0.3", 0, {}, Common::none, true, false},
+        {"turned twisted", "0.4", "-0.4", "0.5", "0.3", 0, {}, Common::none, true, false},
+        {"bilinear", "0.3", "0.3", "0.3", "0", 2, {}, Common::none, false, false}};
+    for (const Kind& kind : kinds) {
+        SCOPED_TRACE(kind.name);
+        const AtDepth at(Rays(
+            "general_linear",
+            {{"across", kind.across}, {"up", kind.up}, {"turn", kind.turn}, {"skew", kind.skew}}));
+        const auto [c, b, a] = at.characteristic();
+        EXPECT_EQ(std::abs(a) > tolerance, kind.degree == 2);
+        EXPECT_EQ(std::abs(b) > tolerance, kind.degree >= 1);
+        for (const double root : kind.roots) {
+            EXPECT_NEAR(c + root * (b + root * a), 0.0, tolerance);
+            EXPECT_LT(width_across(at(root)), tolerance);
+            EXPECT_EQ(extent(at(root)) < tolerance, kind.common == Common::point);
+        }
+        if (kind.degree == 2) {
+            const double discriminant = b * b - 4.0 * a * c;
+            EXPECT_EQ(discriminant > tolerance, kind.roots.size() == 2);
+            EXPECT_EQ(discriminant < -tolerance, kind.roots.empty());
+        }
+        // The slopes of the rays are the change from one depth to the next.
+        std::vector<V2d> slopes = at(1.0);
+        const std::vector<V2d> before = at(0.0);
+        for (std::size_t i = 0; i < slopes.size(); ++i) {
+            slopes[i] -= before[i];
+        }
+        EXPECT_EQ(width_across(slopes) < tolerance, kind.parallel_to_plane);
+        EXPECT_EQ(extent(slopes) < tolerance, kind.parallel);
+        EXPECT_EQ(nearest(at.rays) > 0.01,
+                  kind.degree == 0 || kind.name == std::string("bilinear"));
+    }
+}
+
+// By `across` and `up`, the picture grows; by `turn`, it turns.
+TEST(GeneralLinear, GrowsAndTurnsWithDepth) {
+    const Rays rays("general_linear", {{"width", "2"}, {"turn", "0.5"}, {"across", "0.25"}});
+    const double aspect = rays.width() / rays.height();
+    expect_projection(rays, [&](const V3d& p) {
+        const double s = p.x / 2.0;
+        // y = (1 + s across) u - s turn v, z = s turn u + (1 + s up) v, with up = 0.3.
+        const double m = 1.0 + 0.25 * s;
+        const double n = 1.0 + 0.3 * s;
+        const double turn = 0.5 * s;
+        const double det = m * n + turn * turn;
+        const double u = (n * p.y + turn * p.z) / det / 2.0;
+        const double v = (m * p.z - turn * p.y) / det / 2.0;
+        return V2d(0.5 - u, 0.5 - v * aspect);
+    });
 }
 
 }  // namespace balcony::cameras::test::strip_test
