@@ -56,6 +56,10 @@ export function nameOf({ kind, statement, stage, parameter, index }: Handle): st
 export const isSame = (a: Handle, b: Handle): boolean =>
     a.kind === b.kind && a.statement === b.statement && nameOf(a) === nameOf(b);
 
+/** In the same unit as u and v, which may be angles. */
+const isRadius = ({ kind, parameter }: Handle): boolean =>
+    (kind === "size" || kind === "angle") && parameter === "radius";
+
 /** By how much a number changes for a whole picture, and for a pixel of it. */
 interface Rate {
     number: number;
@@ -110,7 +114,7 @@ class Collector {
         } else if (handle.kind === "picture_region") this.addRegion(index, value);
         else if (handle.kind === "parameter_point" && this.plane) {
             this.mark(index, "point", "", this.placeOf([value(0), value(1)]), this.planeRates(0));
-        } else if (handle.kind === "size" && handle.parameter === "radius" && this.plane) this.addRadius(index, handle);
+        } else if (isRadius(handle) && this.plane) this.addRadius(index, handle);
     }
 
     private addRange(index: number, { parameter, numbers }: Handle): void {

@@ -94,6 +94,23 @@ test("points, ranges and radii on the picture", async () => {
     near(bottom, -0.3, v);
 });
 
+test("a radius in degrees, and one that differs in u and v", async () => {
+    const page = await open("inset");
+    const turned = text
+        .replace("u = half .. -half, /* upright */ v = -0.5 .. 0.5", "u = 40deg .. -40deg, v = -30deg .. 30deg")
+        .replace("(0.2, -0.1), radius = 0.4", "(0deg, 0deg), radius = (10deg, 20deg)")
+        .replace("toward plane((1, 0, 0))", "toward sphere(1)");
+    await page.replace(turned);
+    await page.until(({ session }) => session.isSettled);
+    await page.untilFollowed();
+    const { width, height } = page.picture;
+    await page.pull(mark(page, "zoom radius").locator(".knob"), [0.1 * width, 0]);
+    await page.tab.mouse.up();
+    await page.pull(mark(page, "zoom radius 2").locator(".knob"), [0, 0.1 * height]);
+    await page.tab.mouse.up();
+    await page.until((studio) => /radius = \(1[78][.\d]*deg, 1[34][.\d]*deg\)/.test(studio.text().toString()));
+});
+
 test("the picture follows a handle on its way", async () => {
     const page = await open("inset");
     const before = await page.pixels();
