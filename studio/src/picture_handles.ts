@@ -12,6 +12,9 @@ import type { Handle } from "./protocol";
 /** How long a key is still before the handle rests. */
 const pause = 600;
 
+/** How near to the border of the picture a handle stands, in pixels of the screen, so that a hand can take it. */
+const border = 8;
+
 const arrows: Record<string, Pair> = {
     ArrowLeft: [-1, 0],
     ArrowRight: [1, 0],
@@ -24,8 +27,6 @@ interface Held {
     /** How far the hand has moved, as fractions of the picture. */
     by: Pair;
 }
-
-const within = (part: number): number => Math.min(1, Math.max(0, part));
 
 export class PictureHandles extends LitElement {
     static override properties = { handles: { attribute: false }, pixels: { attribute: false } };
@@ -90,10 +91,13 @@ export class PictureHandles extends LitElement {
         begin.preventDefault();
         begin.stopPropagation();
         this.hold(mark);
+        // A hand takes what waits at the border from there.
+        const [x, y] = this.placeOf(mark);
+        const [left, top] = [x / this.clientWidth - mark.at[0], y / this.clientHeight - mark.at[1]];
         const move = (event: PointerEvent): void =>
             this.move([
-                (event.clientX - begin.clientX) / this.clientWidth,
-                (event.clientY - begin.clientY) / this.clientHeight,
+                left + (event.clientX - begin.clientX) / this.clientWidth,
+                top + (event.clientY - begin.clientY) / this.clientHeight,
             ]);
         const end = (): void => {
             target.removeEventListener("pointermove", move);
@@ -117,8 +121,10 @@ export class PictureHandles extends LitElement {
     }
 
     /** Where it is on the screen; what is outside of the picture waits at its border. */
-    private placeOf({ at }: { at: Pair }): Pair {
-        return [within(at[0]) * this.clientWidth, within(at[1]) * this.clientHeight];
+    private placeOf({ at, shape }: { at: Pair; shape: Mark["shape"] }): Pair {
+        const margin = shape === "side" ? 0 : border;
+        const within = (value: number, size: number): number => Math.min(size - margin, Math.max(margin, value));
+        return [within(at[0] * this.clientWidth, this.clientWidth), within(at[1] * this.clientHeight, this.clientHeight)];
     }
 
     private outline(outline: Outline) {
@@ -137,7 +143,7 @@ export class PictureHandles extends LitElement {
         const isHeld = this.held?.mark.id === now.id;
         const { at } = isHeld ? this.held!.mark : now;
         const by = isHeld ? this.held!.by : [0, 0];
-        const [x, y] = this.placeOf({ at: [at[0] + by[0]!, at[1] + by[1]!] });
+        const [x, y] = this.placeOf({ at: [at[0] + by[0]!, at[1] + by[1]!], shape: now.shape });
         const { numbers, meaning } = this.handles[now.handle]!;
         const told = numbers.map(({ value, angle }) => (angle ? `${numberText((value * 180) / Math.PI)}°` : numberText(value)));
         const label = `${now.label}: ${told.join(", ")}`;

@@ -111,6 +111,21 @@ test("a radius in degrees, and one that differs in u and v", async () => {
     await page.until((studio) => /radius = \(1[78][.\d]*deg, 1[34][.\d]*deg\)/.test(studio.text().toString()));
 });
 
+test("a handle outside of the picture waits at its border, and comes from there", async () => {
+    const page = await open("inset");
+    await page.replace(text.replace("at = (0.2, -0.1)", "at = (0.2, -0.8)"));
+    await page.until(({ session }) => session.isSettled);
+    await page.untilFollowed();
+    const { height } = page.picture;
+    await page.pull(mark(page, "zoom at").locator(".knob"), [0, -0.25 * height]);
+    await page.tab.mouse.up();
+    await page.until((studio) => !studio.text().toString().includes(", -0.8)"));
+    await page.until(({ session }) => session.isSettled);
+    // It waits 8 pixels above the lower border, which is v = -0.5.
+    const v = Number(/at = \([-\d.]+, ([-\d.]+)\)/.exec(await page.text())[1]);
+    near(v, -0.5 + 0.25 + 8 / height, 2 / height);
+});
+
 test("the picture follows a handle on its way", async () => {
     const page = await open("inset");
     const before = await page.pixels();
