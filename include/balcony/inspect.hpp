@@ -4,7 +4,7 @@
 
 // Inspect: questions about what a view shows, answered beside it.
 //
-//     view.scene(), view.shown() ─▶ Inspector::show() ─▶ at(), places_of()
+//     view.scene(), view.shown() ─▶ Inspector::show() ─▶ at(), places_of(), render()
 
 #include <array>
 #include <filesystem>
@@ -70,6 +70,12 @@ public:
     /// left to right. As analyse::Locator finds them.
     [[nodiscard]] Result<std::vector<Appearance>> places_of(const Imath::V3d& point,
                                                             const std::stop_token& stop = {});
+
+    /// Renders what is shown, in a size and a quality of a request, as
+    /// app::PreparedScene::render().
+    [[nodiscard]] app::Report render(const app::Request& request,
+                                     const app::Observer& observer = {},
+                                     const std::stop_token& stop = {});
 
 private:
     struct State;

@@ -45,6 +45,11 @@ public:
         const std::vector<lang::Override>& values, const std::stop_token& stop = {},
         const std::optional<std::vector<std::string>>& open = {});
 
+    /// Renders a picture and writes it, as Session::render() does. Of the request, the scene, its
+    /// lamps and the camera are not read.
+    [[nodiscard]] Report render(const camera::Picture& picture, const Request& request,
+                                const Observer& observer = {}, const std::stop_token& stop = {});
+
     /// The exposure that suits a picture in this integrator's light: that of the request, if it
     /// names one.
     [[nodiscard]] Result<double> exposure(const camera::Picture& picture,

@@ -24,7 +24,7 @@ namespace balcony::live {
 struct Thumbnail {
     std::string camera;
     std::array<std::size_t, 2> room{};  ///< The size that was asked for.
-    std::size_t width = 0;  ///< In pixels; 0 if there is no picture.
+    std::size_t width = 0;              ///< In pixels; 0 if there is no picture.
     std::size_t height = 0;
     std::vector<std::uint8_t> pixels{};  ///< As render::display_pixels().
     Diagnostics diagnostics{};           ///< Why there is none.

@@ -23,6 +23,7 @@ struct Inspector::State {
     std::optional<Shown> shown{};
     std::optional<app::LocateSession> places{};  ///< Of what is shown, when it was asked for.
 
+    [[nodiscard]] Result<lang::OpenPicture> closed_picture(const std::stop_token& stop);
     [[nodiscard]] Diagnostics make_places(const std::stop_token& stop);
 };
 
@@ -118,10 +119,14 @@ Result<std::optional<Sight>> Inspector::at(const V2d& point, const std::stop_tok
 }
 
 // The picture with all of its values, none of them open.
+Result<lang::OpenPicture> Inspector::State::closed_picture(const std::stop_token& stop) {
+    const std::vector<std::string> none;
+    return scene.picture(source_of(*shown, folder), shown->camera,
+                         camera.picture().all_closed(shown->values), stop, none);
+}
+
 Diagnostics Inspector::State::make_places(const std::stop_token& stop) {
-    const Result<lang::OpenPicture> made =
-        scene.picture(source_of(*shown, folder), shown->camera,
-                      camera.picture().all_closed(shown->values), stop, std::vector<std::string>());
+    const Result<lang::OpenPicture> made = closed_picture(stop);
     if (!made) {
         return made.diagnostics;
     }
@@ -158,6 +163,22 @@ Result<std::vector<Appearance>> Inspector::places_of(const V3d& point,
         made.push_back(std::move(place));
     }
     return {std::move(made), located.diagnostics};
+}
+
+app::Report Inspector::render(const app::Request& request, const app::Observer& observer,
+                              const std::stop_token& stop) {
+    app::Report failed;
+    if (!state_->shown) {
+        failed.diagnostics = {nothing_is_shown()};
+        return failed;
+    }
+    Result<lang::OpenPicture> made = state_->closed_picture(stop);
+    if (!made) {
+        failed.diagnostics = std::move(made.diagnostics);
+        failed.interrupted = kind_of_errors(failed.diagnostics) == Kind::interrupted;
+        return failed;
+    }
+    return state_->scene.render(made->picture, request, observer, stop);
 }
 
 }  // namespace balcony::live

@@ -69,6 +69,7 @@ struct View::State {
     // Of the thread.
     void work(const std::stop_token& stop);
     [[nodiscard]] bool load(const std::stop_token& stop);
+    void share_scene();
     void show(const Wanted& next, const std::stop_token& newer, const std::stop_token& view_ends);
     [[nodiscard]] bool follow(const Wanted& next, const std::stop_token& newer);
     [[nodiscard]] std::vector<Value> dragged(const Wanted& next, const std::stop_token& newer);
@@ -166,17 +167,24 @@ bool View::State::load(const std::stop_token& stop) {
         return false;
     }
     scene = std::move(made.value);
+    if (scene) {
+        share_scene();
+    }
     tell({.diagnostics = std::move(made.diagnostics)});
     return scene.has_value();
 }
 
+// Before it is told that the scene is there.
+void View::State::share_scene() {
+    const std::lock_guard lock(mutex);
+    shared_scene = scene->share();
+}
+
 void View::State::work(const std::stop_token& stop) {
-    if (!scene && !load(stop)) {
+    if (scene) {
+        share_scene();
+    } else if (!load(stop)) {
         return;
-    }
-    {
-        const std::lock_guard lock(mutex);
-        shared_scene = scene->share();
     }
     for (;;) {
         Wanted next;

@@ -12,6 +12,7 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <vector>
 
 #include "balcony/base.hpp"
 #include "balcony/request.hpp"
@@ -26,6 +27,8 @@ struct Options {
     std::string camera{};                       ///< In it; its last one if empty.
     std::array<std::size_t, 2> size{960, 540};  ///< Until a page asks for another one.
     bool is_read_only = false;                  ///< No file is written.
+    /// Words of `balcony render` that say what the request does of a picture.
+    std::vector<std::string> words{};
 
     std::uint16_t port = 0;              ///< A free one if it is 0.
     std::filesystem::path token_file{};  ///< Has the token of the address, or gets it.

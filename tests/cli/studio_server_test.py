@@ -193,6 +193,8 @@ class Robustness(StudioTest):
                 {"point": [1, 0, 0], "from": [42.67, 24], "to": [48, 24]}], "layer": 0}},
             {"jsonrpc": "2.0", "id": 8, "method": "cameras/show", "params": {
                 "names": ["pinhole", "fisheye"], "width": 9, "height": 9}},
+            {"jsonrpc": "2.0", "id": 9, "method": "render/stop", "params": {"id": 1}},
+            {"jsonrpc": "2.0", "id": 10, "method": "cameras/text", "params": {"name": "pinhole"}},
             {"jsonrpc": "2.0", "id": 6, "method": "view/at", "params": {"x": 32.5, "y": 20}},
             {"jsonrpc": "2.0", "id": 7, "method": "view/find", "params": {"point": [1, 0.5, 0]}},
             {"jsonrpc": "2.0", "id": 5, "method": "handles/move", "params": {

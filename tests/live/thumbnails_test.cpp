@@ -38,12 +38,11 @@ protected:
         request.scene = (folder_ / "box.obj").string();
         const Result<app::PreparedScene> scene = app::PreparedScene::make(request);
         ASSERT_TRUE(scene) << to_text(scene.diagnostics);
-        thumbnails_ =
-            std::make_unique<Thumbnails>(*scene, request, [this](const Thumbnail& one) {
-                const std::lock_guard lock(mutex_);
-                made_.push_back(one);
-                changed_.notify_all();
-            });
+        thumbnails_ = std::make_unique<Thumbnails>(*scene, request, [this](const Thumbnail& one) {
+            const std::lock_guard lock(mutex_);
+            made_.push_back(one);
+            changed_.notify_all();
+        });
     }
     void TearDown() override { thumbnails_.reset(); }
 
@@ -76,8 +75,7 @@ TEST_F(ThumbnailsTest, AreAsLargeAsThereIsRoom) {
         ASSERT_EQ(one.pixels.size(), 3 * one.width * one.height);
         EXPECT_GT(*std::max_element(one.pixels.begin(), one.pixels.end()), 0);
     }
-    const auto expect_size = [&](const std::string& camera, std::size_t width,
-                                 std::size_t height) {
+    const auto expect_size = [&](const std::string& camera, std::size_t width, std::size_t height) {
         EXPECT_EQ(of(all, camera).width, width) << camera;
         EXPECT_EQ(of(all, camera).height, height) << camera;
     };

@@ -208,6 +208,18 @@ std::vector<fs::path> Loaded::files() const {
     return all;
 }
 
+Loaded shared(const Loaded& loaded) {
+    Loaded made;
+    made.scene = loaded.scene;
+    made.renderer = loaded.renderer;
+    made.times = loaded.times;
+    made.load_seconds = loaded.load_seconds;
+    made.settings = loaded.settings;
+    made.environment = loaded.environment;
+    made.since = loaded.since;
+    return made;
+}
+
 std::vector<fs::path> environment_files(const Request& request) {
     const auto* const file = std::get_if<fs::path>(&request.light.environment);
     return file == nullptr ? std::vector<fs::path>{} : std::vector<fs::path>{*file};

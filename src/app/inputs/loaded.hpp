@@ -35,6 +35,9 @@ struct Loaded {
     [[nodiscard]] std::vector<std::filesystem::path> files() const;
 };
 
+/// The same scene and settings, with a workspace of its own.
+[[nodiscard]] Loaded shared(const Loaded& loaded);
+
 /// The file of the environment of a request, if it is one.
 [[nodiscard]] std::vector<std::filesystem::path> environment_files(const Request& request);
 

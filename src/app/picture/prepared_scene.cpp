@@ -8,6 +8,7 @@
 #include "app/inputs/loaded.hpp"
 #include "app/inputs/placement.hpp"
 #include "app/picture/look.hpp"
+#include "app/picture/session.hpp"
 #include "app/words.hpp"
 
 namespace balcony::app {
@@ -39,14 +40,7 @@ Result<PreparedScene> PreparedScene::make(const Request& request, const Observer
 }
 
 PreparedScene PreparedScene::share() const {
-    const Loaded& loaded = state_->loaded;
-    auto shared = std::make_unique<State>();
-    shared->request = state_->request;
-    shared->loaded.scene = loaded.scene;
-    shared->loaded.renderer = loaded.renderer;
-    shared->loaded.times = loaded.times;
-    shared->loaded.settings = loaded.settings;
-    return PreparedScene(std::move(shared));
+    return PreparedScene(std::make_unique<State>(State{state_->request, shared(state_->loaded)}));
 }
 
 Result<lang::OpenPicture> PreparedScene::picture(
@@ -80,6 +74,17 @@ Result<lang::OpenPicture> PreparedScene::picture(
         made->picture = made->picture.with_fit(request.size.fit);
     }
     return made;
+}
+
+Report PreparedScene::render(const camera::Picture& picture, const Request& request,
+                             const Observer& observer, const std::stop_token& stop) {
+    Request own = request;
+    own.camera.clear();
+    own.set.clear();
+    own.solve.clear();
+    own.placement = {};
+    own.size.fit = state_->request.size.fit;
+    return render_in(state_->loaded, picture, own, observer, stop);
 }
 
 Result<double> PreparedScene::exposure(const camera::Picture& picture, std::string_view integrator,

@@ -227,7 +227,7 @@ Session::~Session() = default;
 std::shared_ptr<const render::Film> Session::film() const { return state_->film; }
 
 // The scene of the last request may serve this one.
-void Session::State::prepare(const Request& request) {
+void SessionState::prepare(const Request& request) {
     const bool same = last && last->scene == request.scene && last->added == request.added &&
                       last->solid_glass == request.solid_glass &&
                       last->meters_per_unit == request.meters_per_unit &&
@@ -245,8 +245,8 @@ void Session::State::prepare(const Request& request) {
     last = request;
 }
 
-void Session::State::render(const Request& request, const Observer& observer,
-                            const std::stop_token& stop, Report& report) {
+void SessionState::render(const Request& request, const Observer& observer,
+                          const std::stop_token& stop, Report& report) {
     film.reset();
     prepare(request);
     const auto fails = [&report](const Diagnostics& found) {
@@ -256,11 +256,21 @@ void Session::State::render(const Request& request, const Observer& observer,
         !load_settings(request, loaded, stop, report.diagnostics)) {
         return;
     }
-    const auto loaded_picture = load_all(request, loaded, observer, stop, report.diagnostics);
-    if (!loaded_picture || fails(check_overwrites(request.output, loaded.files()))) {
+    if (const auto picture = load_all(request, loaded, observer, stop, report.diagnostics)) {
+        render_picture(*picture, request, observer, stop, report);
+    }
+}
+
+void SessionState::render_picture(const camera::Picture& loaded_picture, const Request& request,
+                                  const Observer& observer, const std::stop_token& stop,
+                                  Report& report) {
+    const auto fails = [&report](const Diagnostics& found) {
+        return add(report.diagnostics, found);
+    };
+    if (fails(check_overwrites(request.output, loaded.files()))) {
         return;
     }
-    const auto picture = stereo_view(request, *loaded_picture);
+    const auto picture = stereo_view(request, loaded_picture);
     if (fails(picture.diagnostics)) {
         return;
     }
@@ -302,6 +312,21 @@ Report Session::render(const Request& request, const Observer& observer,
                        const std::stop_token& stop) {
     Report report;
     within_memory(report.diagnostics, [&] { state_->render(request, observer, stop, report); });
+    report.interrupted |= kind_of_errors(report.diagnostics) == Kind::interrupted;
+    return report;
+}
+
+Report render_in(const Loaded& scene, const camera::Picture& picture, const Request& request,
+                 const Observer& observer, const std::stop_token& stop) {
+    Report report;
+    within_memory(report.diagnostics, [&] {
+        SessionState state;
+        state.loaded = shared(scene);
+        if (!add(report.diagnostics, check_request(request)) &&
+            load_settings(request, state.loaded, stop, report.diagnostics)) {
+            state.render_picture(picture, request, observer, stop, report);
+        }
+    });
     report.interrupted |= kind_of_errors(report.diagnostics) == Kind::interrupted;
     return report;
 }

@@ -10,7 +10,8 @@
 
 namespace balcony::app {
 
-struct Session::State {
+/// What a session keeps, and how it renders.
+struct SessionState {
     Loaded loaded;
     std::optional<Request> last;
     std::shared_ptr<const render::Film> film;
@@ -20,6 +21,16 @@ struct Session::State {
     void prepare(const Request& request);
     void render(const Request& request, const Observer& observer, const std::stop_token& stop,
                 Report& report);
+    /// A picture of the scene that is loaded, with its settings.
+    void render_picture(const camera::Picture& loaded_picture, const Request& request,
+                        const Observer& observer, const std::stop_token& stop, Report& report);
 };
+
+struct Session::State : SessionState {};
+
+/// Renders a picture of a scene that is loaded, with the light and the settings of a request.
+[[nodiscard]] Report render_in(const Loaded& scene, const camera::Picture& picture,
+                               const Request& request, const Observer& observer,
+                               const std::stop_token& stop);
 
 }  // namespace balcony::app

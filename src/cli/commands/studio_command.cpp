@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -32,6 +33,7 @@ struct StudioOptions {
     std::size_t port = 0;
     std::string token_file;
     bool read_only = false;
+    std::vector<std::string> picture_words;  ///< The options of a picture, as they were given.
     Manner manner;
 };
 
@@ -75,6 +77,7 @@ Diagnostics choose_camera(const StudioOptions& options, studio::Options& made) {
 ExitCode serve(const StudioOptions& options) {
     studio::Options made{.request = options.request,
                          .is_read_only = options.read_only,
+                         .words = options.picture_words,
                          .port = static_cast<std::uint16_t>(options.port),
                          .token_file = options.token_file};
     Diagnostics found = choose_camera(options, made);
@@ -121,6 +124,28 @@ app::Options<app::Request> view_options() {
     return made;
 }
 
+/// The options of the picture, as they were given. A page has its own size.
+void keep_words(const std::vector<app::Option<app::Request>>& rows, const app::GivenWords& given,
+                StudioOptions& read) {
+    for (const app::OptionInfo& row : rows) {
+        const auto found = given.find(row.name);
+        if (found == given.end() || row.name == "--size") {
+            continue;
+        }
+        const bool is_flag = row.type == app::OptionType::flag;
+        const std::vector<std::string>& words = found->second;
+        const std::size_t step = is_flag ? words.size() : row.words;
+        for (std::size_t i = 0; i < words.size(); i += step) {
+            read.picture_words.push_back(row.name);
+            if (!is_flag) {
+                const auto begin = words.begin() + static_cast<std::ptrdiff_t>(i);
+                read.picture_words.insert(read.picture_words.end(), begin,
+                                          begin + static_cast<std::ptrdiff_t>(step));
+            }
+        }
+    }
+}
+
 }  // namespace
 
 void add_studio_command(CLI::App& app, ExitCode& code) {
@@ -153,7 +178,11 @@ void add_studio_command(CLI::App& app, ExitCode& code) {
                    .meaning = "no file is written: for showing",
                    .effect = Effect::run},
                   true, &StudioOptions::read_only)}};
-        all.add(&StudioOptions::request, view_options());
+        app::Options<app::Request> of_picture = view_options();
+        all.checks.emplace_back(
+            [rows = of_picture.rows](StudioOptions& read, const app::GivenWords& given,
+                                     Diagnostics&) { keep_words(rows, given, read); });
+        all.add(&StudioOptions::request, std::move(of_picture));
         all.add(manner_options(&StudioOptions::manner, "print the address as JSON"));
         command.add(std::move(all), options);
         command.show_first({"--port", "--token-file", "--read-only", "--fit", "--no-fit",

@@ -22,13 +22,13 @@ using nlohmann::json;
 
 namespace {
 
-constexpr std::size_t largest_side = 512;
+constexpr std::size_t largest_thumbnail = 512;
 
 std::size_t side_of(const json& number) {
-    if (!number.is_number_unsigned() || number < 1 || number > largest_side) {
-        throw lsp::Refusal{
-            lsp::invalid_params,
-            fmt::format("a thumbnail has a width and a height of 1 to {} pixels", largest_side)};
+    if (!number.is_number_unsigned() || number < 1 || number > largest_thumbnail) {
+        throw lsp::Refusal{lsp::invalid_params,
+                           fmt::format("a thumbnail has a width and a height of 1 to {} pixels",
+                                       largest_thumbnail)};
     }
     return number.get<std::size_t>();
 }
@@ -36,9 +36,8 @@ std::size_t side_of(const json& number) {
 // No other file is read.
 void require_built_in(const std::string& name) {
     if (lang::family_of(name).empty()) {
-        throw lsp::Refusal{lsp::invalid_params,
-                           fmt::format("there is no built-in camera '{}': {}", name,
-                                       lang::instead_of_camera(name))};
+        throw lsp::Refusal{lsp::invalid_params, fmt::format("there is no built-in camera '{}': {}",
+                                                            name, lang::instead_of_camera(name))};
     }
 }
 
@@ -110,9 +109,8 @@ void CameraWall::take(const live::Thumbnail& made, const Bytes& bytes) {
         return;
     }
     if (!bytes) {
-        told_.failure(
-            lsp::notification("cameras/failed", {{"name", made.camera},
-                                                 {"message", to_text(made.diagnostics)}}));
+        told_.failure(lsp::notification(
+            "cameras/failed", {{"name", made.camera}, {"message", to_text(made.diagnostics)}}));
         return;
     }
     made_[made.camera] = bytes;

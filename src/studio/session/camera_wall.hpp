@@ -46,7 +46,8 @@ private:
     std::unique_ptr<nlohmann::json> list_;  ///< Null before it is asked for.
     std::array<std::size_t, 2> size_{};
     std::map<std::string, Bytes> made_;  ///< In this size.
-    std::unique_ptr<live::Thumbnails> thumbnails_;  ///< The last member: its threads use the others.
+    std::unique_ptr<live::Thumbnails>
+        thumbnails_;  ///< The last member: its threads use the others.
 };
 
 /// The text of a built-in camera. Throws a Refusal.

@@ -3,18 +3,23 @@
 
 #include "studio/session/inspection.hpp"
 
+#include <utility>
+
 #include "lsp/rpc.hpp"
 
 namespace balcony::studio {
 
-void Inspection::ask(Question question) {
-    worker_.give([this, question = std::move(question)](const std::stop_token& stop) {
-        question([&]() -> live::Inspector& { return inspector(stop); }, stop);
+void Inspection::ask(Question question, std::optional<live::Shown> about) {
+    worker_.give([this, question = std::move(question),
+                  about = std::move(about)](const std::stop_token& stop) {
+        question(
+            [&]() -> live::Inspector& { return inspector(about ? about : view_.shown(), stop); },
+            stop);
     });
 }
 
-live::Inspector& Inspection::inspector(const std::stop_token& stop) {
-    const std::optional<live::Shown> shown = view_.shown();
+live::Inspector& Inspection::inspector(const std::optional<live::Shown>& shown,
+                                       const std::stop_token& stop) {
     if (!shown) {
         throw lsp::Refusal{lsp::request_failed, "no picture is shown yet: ask again later"};
     }

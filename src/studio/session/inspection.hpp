@@ -25,12 +25,13 @@ public:
     Inspection(const live::View& view, std::filesystem::path folder)
         : view_(view), folder_(std::move(folder)) {}
 
-    /// The question gets what makes an inspector of what is shown by then, or throws a Refusal.
-    /// Throws a Refusal if too many wait.
-    void ask(Question question);
+    /// The question gets what makes an inspector of something, or of what is shown by then, or
+    /// throws a Refusal. Throws a Refusal if too many wait.
+    void ask(Question question, std::optional<live::Shown> about = {});
 
 private:
-    [[nodiscard]] live::Inspector& inspector(const std::stop_token& stop);
+    [[nodiscard]] live::Inspector& inspector(const std::optional<live::Shown>& shown,
+                                             const std::stop_token& stop);
 
     const live::View& view_;
     std::filesystem::path folder_;

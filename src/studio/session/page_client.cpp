@@ -32,6 +32,9 @@ const PageClient::Row PageClient::rows[] = {
     {"cameras/list", &PageClient::list_cameras},
     {"cameras/show", &PageClient::show_cameras},
     {"cameras/text", &PageClient::write_camera},
+    {"render/start", &PageClient::start_rendering},
+    {"render/stop", &PageClient::stop_rendering},
+    {"command", &PageClient::command},
 };
 
 // Requests about the text, or about a camera of it.
@@ -249,6 +252,15 @@ json PageClient::show_cameras(const json& asked) {
 json PageClient::write_camera(const json& asked) {
     return {{"text", camera_text(asked.at("name").get<std::string>())}};
 }
+
+json PageClient::start_rendering(const json& asked) { return studio_.renderings().start(asked); }
+
+json PageClient::stop_rendering(const json& asked) {
+    studio_.renderings().stop(asked);
+    return nullptr;
+}
+
+json PageClient::command(const json& /*asked*/) { return {{"line", studio_.command()}}; }
 
 json PageClient::save(const json& asked) {
     studio_.save(asked.value("force", false));

@@ -62,6 +62,9 @@ private:
     [[nodiscard]] nlohmann::json list_cameras(const nlohmann::json& asked);
     [[nodiscard]] nlohmann::json show_cameras(const nlohmann::json& asked);
     [[nodiscard]] nlohmann::json write_camera(const nlohmann::json& asked);
+    [[nodiscard]] nlohmann::json start_rendering(const nlohmann::json& asked);
+    [[nodiscard]] nlohmann::json stop_rendering(const nlohmann::json& asked);
+    [[nodiscard]] nlohmann::json command(const nlohmann::json& asked);
     [[nodiscard]] nlohmann::json save(const nlohmann::json& asked);
 
     Studio& studio_;

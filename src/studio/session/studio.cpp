@@ -9,6 +9,7 @@
 
 #include "lsp/open_text.hpp"
 #include "lsp/rpc.hpp"
+#include "studio/session/command_line.hpp"
 #include "studio/session/page_client.hpp"
 #include "studio/session/view_messages.hpp"
 #include "studio/web/access.hpp"
@@ -55,7 +56,8 @@ Studio::Studio(Server& server, const Options& options, SharedText text)
                          page->tell(picture);
                      }
                  },
-             .failure = [this](const json& message) { tell_all(message); }}) {
+             .failure = [this](const json& message) { tell_all(message); }}),
+      renderings_(server, *view_, options, [this](const json& message) { tell_all(message); }) {
     scene_told_ = lsp::notification("studio/scene", {{"state", "loading"}});
     view_->change({.text = text_.text(), .camera = camera_, .size = options.size});
 }
@@ -72,6 +74,8 @@ live::Observer Studio::observer() {
                 tell_all(scene_told_, "studio/scene", told_of(state));
             }),
             .camera = told([this](const live::CameraState& state) {
+                parameters_ = state.open;
+                parameters_.insert(parameters_.end(), state.closed.begin(), state.closed.end());
                 tell_all(camera_told_, "view/camera", told_of(state));
             }),
             .drag = told([this](const live::Dragged& dragged) {
@@ -137,6 +141,14 @@ std::uint64_t Studio::change_view(live::Change change) {
     camera_ = change.camera.value_or(camera_);
     rest_told_ = nullptr;
     return view_->change(std::move(change));
+}
+
+std::string Studio::command() const {
+    const std::optional<live::Shown> shown = view_->shown();
+    if (!shown) {
+        throw lsp::Refusal{lsp::request_failed, "no picture is shown yet: ask again later"};
+    }
+    return command_line(options_, *shown, parameters_);
 }
 
 void Studio::save(bool replaces_changes) {

@@ -12,6 +12,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -20,6 +21,7 @@
 #include "studio/session/camera_wall.hpp"
 #include "studio/session/frame_encoder.hpp"
 #include "studio/session/inspection.hpp"
+#include "studio/session/renderings.hpp"
 #include "studio/session/shared_text.hpp"
 #include "studio/session/text_questions.hpp"
 #include "studio/web/server.hpp"
@@ -55,6 +57,9 @@ public:
     [[nodiscard]] Inspection& inspection() { return inspection_; }
     [[nodiscard]] Inspection& search() { return search_; }
     [[nodiscard]] CameraWall& wall() { return wall_; }
+    [[nodiscard]] Renderings& renderings() { return renderings_; }
+    /// What a shell renders the same by. Throws a Refusal.
+    [[nodiscard]] std::string command() const;
     [[nodiscard]] const live::View& view() const { return *view_; }
     /// Writes the file, and tells the pages. Throws a Refusal.
     void save(bool replaces_changes);
@@ -72,6 +77,7 @@ private:
     std::string uri_;
     std::string session_;  ///< Another one for each start.
     std::string camera_;
+    std::vector<lang::OpenParameter> parameters_;  ///< Of the camera that was last told.
     std::set<PageClient*> pages_;
 
     // What was last told; null if it was not.
@@ -87,6 +93,7 @@ private:
     Inspection inspection_;
     Inspection search_;
     CameraWall wall_;
+    Renderings renderings_;
 };
 
 }  // namespace balcony::studio

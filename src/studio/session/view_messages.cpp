@@ -56,17 +56,6 @@ json told_of_parameters(const std::vector<lang::OpenParameter>& all) {
     return made;
 }
 
-// As a text shows them that is the view's.
-json told_of(const Diagnostics& found) {
-    static const SourceText elsewhere("", "");
-    json made = json::array();
-    for (const Diagnostic& one : found) {
-        const bool is_here = one.span.source && one.span.source->name() == live::text_name;
-        made.push_back(lsp::diagnostic_of(is_here ? *one.span.source : elsewhere, one));
-    }
-    return made;
-}
-
 json told_of(const std::vector<live::Value>& values) {
     json made = json::array();
     for (const live::Value& one : values) {
@@ -107,6 +96,16 @@ void tell_limits(const camera::Range& limits, json& told) {
     if (limits.excludes_minimum) {
         told["minExcluded"] = true;
     }
+}
+
+json told_of(const Diagnostics& found) {
+    static const SourceText elsewhere("", "");
+    json made = json::array();
+    for (const Diagnostic& one : found) {
+        const bool is_here = one.span.source && one.span.source->name() == live::text_name;
+        made.push_back(lsp::diagnostic_of(is_here ? *one.span.source : elsewhere, one));
+    }
+    return made;
 }
 
 std::vector<live::Value> values_of(const json& asked) {

@@ -23,6 +23,8 @@ namespace balcony::studio {
 
 /// Adds the members that limit a number.
 void tell_limits(const camera::Range& limits, nlohmann::json& told);
+/// As a text shows them that is the view's.
+[[nodiscard]] nlohmann::json told_of(const Diagnostics& found);
 /// The parameters of view/camera, of studio/scene and of view/dragged.
 [[nodiscard]] nlohmann::json told_of(const live::CameraState& state);
 [[nodiscard]] nlohmann::json told_of(const live::SceneState& state);
