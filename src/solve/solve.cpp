@@ -70,6 +70,42 @@ std::string name_of(const Unknown& unknown) {
     return unknown.name.empty() ? unknown.input : unknown.name;
 }
 
+// Rays that meet points of a target, as if all began at one point.
+struct TargetView {
+    std::vector<rays::Ray> rays;
+    std::vector<V3d> places;
+};
+
+// The largest view of a target. The pictures of a rig show its points several times: each ray is of
+// the view of the nearest origin among those that do not show its point yet.
+TargetView largest_view(std::span<const InputRay> rays, std::span<const V3d> places) {
+    std::vector<TargetView> views;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const rays::Ray& ray = rays[i].ray;
+        if (!ray.valid) {
+            continue;
+        }
+        TargetView* nearest = nullptr;
+        const auto distance = [&](const TargetView& view) {
+            return (view.rays.front().origin - ray.origin).length();
+        };
+        for (TargetView& view : views) {
+            const auto& shown = view.places;
+            if (std::find(shown.begin(), shown.end(), places[i]) == shown.end() &&
+                (nearest == nullptr || distance(view) < distance(*nearest))) {
+                nearest = &view;
+            }
+        }
+        TargetView& its = nearest != nullptr ? *nearest : views.emplace_back();
+        its.rays.push_back(ray);
+        its.places.push_back(places[i]);
+    }
+    const auto largest = std::max_element(
+        views.begin(), views.end(),
+        [](const TargetView& a, const TargetView& b) { return a.rays.size() < b.rays.size(); });
+    return largest != views.end() ? std::move(*largest) : TargetView{};
+}
+
 // The pose in which the first values show the marks of a target where they are demanded.
 std::optional<Pose> pose_of_marks(const CameraRays& rays, const Problem& problem,
                                   std::size_t target) {
@@ -87,16 +123,8 @@ std::optional<Pose> pose_of_marks(const CameraRays& rays, const Problem& problem
     for (const Unknown& unknown : problem.unknowns) {
         values.push_back(unknown.value);
     }
-    std::vector<rays::Ray> seen;
-    std::vector<V3d> met;
-    const std::vector<InputRay> there = rays.at(at, values, false);
-    for (std::size_t i = 0; i < there.size(); ++i) {
-        if (there[i].ray.valid) {
-            seen.push_back(there[i].ray);
-            met.push_back(places[i]);
-        }
-    }
-    return first_pose(seen, met);
+    const TargetView view = largest_view(rays.at(at, values, false), places);
+    return first_pose(view.rays, view.places);
 }
 
 // The problem with a start for each target.

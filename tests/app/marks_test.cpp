@@ -222,6 +222,92 @@ TEST(Marks, PixelCentersAreHalfAPixelFromCorners) {
     EXPECT_EQ(marks->problem.marks[1].near, V2d(600.5, 100.5));
 }
 
+// ---------------------------------------------------------------------------------------- rigs
+
+const std::string rig = R"(size: [640, 480]
+pictures: [left, right]
+origin: pixel_center
+marks:
+  gable: {point: [20, 4, -1.6], near: [100, 50]}
+  door: [20, 3, 0]
+constraints:
+  - {at: gable, position: [155, 347], picture: left}
+  - {at: gable, position: [10, 20], picture: right}
+  - {level: [gable, door], picture: right}
+  - {isotropic: [100, 50], picture: right}
+boards:
+  - columns: 2
+    rows: 1
+    square: 0.5
+    corners: {right: [[1, 2], null], left: [[3, 4], [5, 6]]}
+)";
+
+std::string rig_with(const std::string& old, const std::string& by) {
+    std::string text = rig;
+    const std::size_t at = text.find(old);
+    EXPECT_NE(at, std::string::npos) << old;
+    return text.replace(at, old.size(), by);
+}
+
+TEST(Marks, ARigHasPicturesSideBySide) {
+    const auto marks = read(rig);
+    ASSERT_TRUE(marks) << to_text(marks.diagnostics);
+    EXPECT_EQ(marks->width, 1280U);
+    EXPECT_EQ(marks->height, 480U);
+    const auto& [unknowns, targets, all, constraints, outlines] = marks->problem;
+    ASSERT_EQ(constraints.size(), 7U);
+    EXPECT_EQ(constraints[0].position, V2d(155.5, 347.5));
+    EXPECT_EQ(constraints[1].position, V2d(650.5, 20.5));
+    EXPECT_EQ(constraints[3].position, V2d(740.5, 50.5));
+    // A mark is seen in one place, so each picture has its own.
+    EXPECT_EQ(constraints[0].marks.front(), 0U);
+    const std::size_t gable = constraints[1].marks.front();
+    EXPECT_EQ(constraints[2].marks.front(), gable);
+    EXPECT_EQ(all[gable].name, "gable in right");
+    EXPECT_EQ(all[gable].place, all[0].place);
+    EXPECT_EQ(all[gable].near, V2d(650.5, 20.5));
+    EXPECT_EQ(all[0].near, V2d(100.5, 50.5));
+    // One without a position is searched from the middle of its picture.
+    EXPECT_EQ(all[constraints[2].marks[1]].near, V2d(960.0, 240.0));
+    // A board is one target in all pictures.
+    EXPECT_EQ(targets.size(), 1U);
+    EXPECT_EQ(constraints[4].position, V2d(641.5, 2.5));
+    EXPECT_EQ(constraints[6].position, V2d(5.5, 6.5));
+    EXPECT_EQ(all[constraints[6].marks.front()].place, V3d(0.5, 0.0, 0.0));
+    EXPECT_EQ(marks->labels[1], "at gable in right");
+    EXPECT_EQ(marks->labels[4], "corner 1 of board 1 in right");
+}
+
+TEST(Marks, MistakesOfRigsAreSaidWhereTheyAre) {
+    const std::vector<Mistake> mistakes{
+        {rig_with("[left, right]", "[left, left]"), "2:18", "there are two pictures 'left'",
+         "name the pictures of a rig from left to right: [left, right]"},
+        {rig_with("size: [640, 480]", "size: [640000, 480]"), "2:1",
+         "2 pictures of 640000 pixels side by side are too wide",
+         "together they may have 1000000 pixels"},
+        {rig_with("pictures: [left, right]\n", ""), "7:48",
+         "there is one picture, which has no name", "add pictures: [left, right], or remove it"},
+        {rig_with(", picture: left}", "}"), "8:5",
+         "this row does not say which picture of the rig it is about",
+         "add picture: 'left' or 'right'"},
+        {rig_with("picture: left}", "picture: lift}"), "8:48", "there is no picture 'lift'",
+         "did you mean 'left'?"},
+        {rig_with("{level: [gable, door]", "{inside: door"), "10:6",
+         "'inside' cannot be about one of several pictures", "demand positions of marks there"},
+        {rig_with("[[3, 4], [5, 6]]", "[[3, 4]]"), "16:44",
+         "board 1 needs columns x rows = 2 corners, but has 1",
+         "write the positions of the inner corners row by row, with null for one that is not seen"},
+        {rig_with("    corners: {right: [[1, 2], null], left: [[3, 4], [5, 6]]}\n", ""), "13:5",
+         "board 1 needs columns x rows = 2 corners, but has 0",
+         "write the positions of the inner corners row by row, with null for one that is not seen"},
+        {rig_with("{right: [[1, 2], null], left:", "{rigth: [[1, 2], null], left:"), "16:15",
+         "'corners' of board 1 has no entry 'rigth'", "did you mean 'right'?"},
+    };
+    for (const Mistake& mistake : mistakes) {
+        check(mistake);
+    }
+}
+
 TEST(Marks, EachMistakeIsSaidWhereItIs) {
     const std::vector<Mistake> mistakes{
         {replaced("size: [640, 480]", "sice: [640, 480]"), "2:1", "the file has no entry 'sice'",

@@ -65,6 +65,17 @@ class SolveGuide(guide.GuideTest):
                 for name, _, deviation, off in rows:
                     self.assertLess(float(off), 1e-3 * float(deviation), name)
 
+    def test_a_rig_is_found_within_its_deviations(self):
+        """Each is within 3.5 of them in all but 1 of 2,000 cases."""
+        true = re.search(r"^The right lens is at (\S+), (\S+), (\S+)$",
+                         self.output_of("python3 stereo.py"), re.M)
+        rows = dict(re.findall(r"^(f|px|py|pz) +(\S+ +\S+)",
+                               self.output_of("balcony solve rig.cam:rig"), re.M))
+        for name, wanted in zip(("px", "py", "pz", "f"), (*map(float, true.groups()), 812.3)):
+            value, deviation = map(float, rows[name].split())
+            self.assertLess(abs(value - wanted), 3.5 * deviation, name)
+            self.assertLess(deviation, 2e-3 * max(abs(wanted), 0.1), name)
+
     def test_splines_follow_a_lens(self):
         """Three deviations beyond what the noise, less 84 of 568 equations, leaves."""
         missed = float(re.search(r"^marks miss their positions by (\S+) pixels",

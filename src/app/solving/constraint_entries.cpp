@@ -76,7 +76,7 @@ std::optional<std::pair<Constraint, std::string>> ConstraintReader::read(
     const YAML::Node& row) const {
     std::vector<std::string> known = names_of_kinds();
     known.insert(known.end(), {"position", "value", "distance", "box", "line", "deviation",
-                               "weight", "tolerance"});
+                               "weight", "tolerance", "picture"});
     const std::vector<YamlEntry> entries = yaml_.map(row, "the constraint", remedy, known);
     const YamlEntry* kind_entry = nullptr;
     for (const YamlEntry& one : entries) {

@@ -4,6 +4,7 @@
 // Files of marks: docs/solve.md has their format.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -13,6 +14,7 @@
 #include "app/solving/constraint_entries.hpp"
 #include "app/solving/contradictions.hpp"
 #include "app/solving/parameter_entries.hpp"
+#include "app/solving/rig_pictures.hpp"
 #include "app/solving/yaml_entries.hpp"
 #include "balcony/input_file.hpp"
 #include "balcony/names.hpp"
@@ -64,8 +66,8 @@ private:
         std::map<std::string, YamlEntry> entries;
         for (YamlEntry& one :
              yaml_.map(file, "the file", whole_remedy,
-                       {"size", "scene", "axes", "origin", "unknowns", "fixed", "targets", "marks",
-                        "outlines", "constraints", "boards"})) {
+                       {"size", "pictures", "scene", "axes", "origin", "unknowns", "fixed",
+                        "targets", "marks", "outlines", "constraints", "boards"})) {
             entries.emplace(one.name, one);
         }
         if (has_errors(yaml_.found()) && entries.empty()) {
@@ -73,11 +75,17 @@ private:
         }
         // Names are read before they are used.
         const std::vector<std::pair<std::string, void (MarksReader::*)(const YamlEntry&)>> readers{
-            {"size", &MarksReader::size},         {"scene", &MarksReader::scene},
-            {"axes", &MarksReader::axes},         {"origin", &MarksReader::origin},
-            {"unknowns", &MarksReader::unknowns}, {"fixed", &MarksReader::fixed},
-            {"targets", &MarksReader::targets},   {"marks", &MarksReader::marks},
-            {"outlines", &MarksReader::outlines}, {"constraints", &MarksReader::constraints},
+            {"size", &MarksReader::size},
+            {"pictures", &MarksReader::pictures},
+            {"scene", &MarksReader::scene},
+            {"axes", &MarksReader::axes},
+            {"origin", &MarksReader::origin},
+            {"unknowns", &MarksReader::unknowns},
+            {"fixed", &MarksReader::fixed},
+            {"targets", &MarksReader::targets},
+            {"marks", &MarksReader::marks},
+            {"outlines", &MarksReader::outlines},
+            {"constraints", &MarksReader::constraints},
             {"boards", &MarksReader::boards}};
         for (const auto& [name, reader] : readers) {
             if (const auto entry = entries.find(name); entry != entries.end()) {
@@ -93,6 +101,7 @@ private:
                         "say what the picture is to show: constraints: [{at: MARK, position: [x, "
                         "y]}]");
         }
+        pictures_.begin_in_pictures();
         const Diagnostics contradictions = contradictions_of(made_.problem);
         yaml_.found().insert(yaml_.found().end(), contradictions.begin(), contradictions.end());
     }
@@ -111,6 +120,8 @@ private:
             made_.height = static_cast<std::size_t>(read->y);
         }
     }
+
+    void pictures(const YamlEntry& entry) { pictures_.read(entry); }
 
     void scene(const YamlEntry& entry) {
         made_.scene = yaml_.word(entry.value, "write the name of a scene file").value_or("");
@@ -298,13 +309,22 @@ private:
                         std::string(ConstraintReader::remedy));
             return;
         }
-        const ConstraintReader reader(yaml_, marks_, outlines_, from_corner_);
         for (const YAML::Node& row : entry.value) {
             if (yaml_.goes_on()) {
-                if (auto read = reader.read(row)) {
-                    add(std::move(read->first), std::move(read->second));
-                }
+                constraint(row);
             }
+        }
+    }
+
+    void constraint(const YAML::Node& row) {
+        const std::optional<std::size_t> picture = pictures_.of_row(row);
+        if (!picture) {
+            return;
+        }
+        const V2d from_corner = from_corner_ + pictures_.corner_of(*picture);
+        auto read = ConstraintReader(yaml_, marks_, outlines_, from_corner).read(row);
+        if (read && pictures_.show(read->first, *picture)) {
+            add(std::move(read->first), read->second + pictures_.words_for(*picture));
         }
     }
 
@@ -347,47 +367,65 @@ private:
         }
         Constraint like;
         read_measure(entries, yaml_, like);
-        if (columns * rows == 0 || !corners.IsSequence() || corners.size() != columns * rows) {
-            yaml_.error(yaml_.at(corners.IsSequence() ? corners : node),
-                        fmt::format("{} needs columns x rows = {} corners, but has {}", what,
-                                    columns * rows, corners.IsSequence() ? corners.size() : 0),
+        solve::Target target;
+        target.name = what;
+        made_.problem.targets.push_back(target);
+        const std::vector<std::string>& names = pictures_.names();
+        if (names.empty() || corners.IsNull()) {
+            add_corners(corners.IsSequence() ? corners : node, {columns, rows}, square, what, 0,
+                        like);
+            return;
+        }
+        for (const YamlEntry& one :
+             yaml_.map(corners, fmt::format("'corners' of {}", what),
+                       fmt::format("write the corners in each picture that shows the board: "
+                                   "corners: {{{}: [[x, y], ...]}}",
+                                   names.front()),
+                       names)) {
+            const auto picture = std::find(names.begin(), names.end(), one.name) - names.begin();
+            add_corners(one.value, {columns, rows}, square, what, static_cast<std::size_t>(picture),
+                        like);
+        }
+    }
+
+    /// Those that one picture shows of the board that is the last target.
+    void add_corners(const YAML::Node& corners, const std::array<std::size_t, 2>& sides,
+                     double square, const std::string& what, std::size_t picture, Constraint like) {
+        const std::size_t count = sides[0] * sides[1];
+        if (count == 0 || !corners.IsSequence() || corners.size() != count) {
+            yaml_.error(yaml_.at(corners),
+                        fmt::format("{} needs columns x rows = {} corners, but has {}", what, count,
+                                    corners.IsSequence() ? corners.size() : 0),
                         "write the positions of the inner corners row by row, with null for one "
                         "that is not seen");
             return;
         }
-        solve::Target target;
-        target.name = what;
-        made_.problem.targets.push_back(target);
-        for (std::size_t i = 0; i < columns * rows && yaml_.goes_on(); ++i) {
-            const YAML::Node corner = corners[i];
-            if (!corner.IsNull()) {
-                like.written = yaml_.at(corner);
-                add_corner(corner, fmt::format("corner {} of {}", i + 1, what),
-                           square * V3d(static_cast<double>(i % columns),
-                                        static_cast<double>(i / columns), 0.0),
-                           like);
+        for (std::size_t i = 0; i < count && yaml_.goes_on(); ++i) {
+            const auto at = corners[i].IsNull() ? std::nullopt : position(corners[i]);
+            if (at) {
+                Mark mark;
+                mark.place = square * V3d(static_cast<double>(i % sides[0]),
+                                          static_cast<double>(i / sides[0]), 0.0);
+                mark.target = made_.problem.targets.size() - 1;
+                mark.name =
+                    fmt::format("corner {} of {}{}", i + 1, what, pictures_.words_for(picture));
+                mark.written = yaml_.at(corners[i]);
+                mark.near = *at + pictures_.corner_of(picture);
+                like.kind = ConstraintKind::at;
+                like.written = mark.written;
+                like.marks = {made_.problem.marks.size()};
+                like.position = *mark.near;
+                std::string label = mark.name;
+                made_.problem.marks.push_back(std::move(mark));
+                add(like, std::move(label));
             }
-        }
-    }
-
-    void add_corner(const YAML::Node& node, std::string label, const V3d& point, Constraint like) {
-        if (const auto at = position(node)) {
-            Mark mark;
-            mark.place = point;
-            mark.target = made_.problem.targets.size() - 1;
-            mark.name = label;
-            mark.written = like.written;
-            like.kind = ConstraintKind::at;
-            like.marks = {made_.problem.marks.size()};
-            like.position = *at;
-            made_.problem.marks.push_back(std::move(mark));
-            add(std::move(like), std::move(label));
         }
     }
 
     std::shared_ptr<const SourceText> source_;
     YamlEntries yaml_;
     Marks made_;
+    RigPictures pictures_{yaml_, made_};
     std::vector<std::string> marks_;    ///< Names, by index.
     std::vector<std::string> targets_;  ///< The same.
     std::vector<std::string> outlines_;
