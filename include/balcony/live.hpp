@@ -121,7 +121,8 @@ public:
                                                     const app::Request& request, Observer observer,
                                                     const Options& options = {},
                                                     std::filesystem::path folder = {});
-    /// The same with a scene that the view loads on its thread; changes wait for it.
+    /// The same with a scene that the view loads on its thread; changes wait for it. One that fails
+    /// is loaded again when its file changes.
     [[nodiscard]] static std::unique_ptr<View> load(const app::Request& request, Observer observer,
                                                     const Options& options = {},
                                                     std::filesystem::path folder = {});

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <condition_variable>
+#include <filesystem>
 #include <mutex>
 #include <stop_token>
 #include <thread>
@@ -23,6 +24,18 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+// When the files of a scene were written; the least time for one that is not there.
+std::vector<std::filesystem::file_time_type> times_of_files(const app::Request& request) {
+    std::vector<std::filesystem::file_time_type> times;
+    const auto add = [&times](const std::string& file) {
+        std::error_code none;
+        times.push_back(std::filesystem::last_write_time(file, none));
+    };
+    add(request.scene);
+    std::for_each(request.added.begin(), request.added.end(), add);
+    return times;
 }
 
 // All changes so far.
@@ -69,6 +82,8 @@ struct View::State {
     // Of the thread.
     void work(const std::stop_token& stop);
     [[nodiscard]] bool load(const std::stop_token& stop);
+    [[nodiscard]] bool changes(const std::vector<std::filesystem::file_time_type>& before,
+                               const std::stop_token& stop);
     void share_scene();
     void show(const Wanted& next, const std::stop_token& newer, const std::stop_token& view_ends);
     [[nodiscard]] bool follow(const Wanted& next, const std::stop_token& newer);
@@ -174,6 +189,17 @@ bool View::State::load(const std::stop_token& stop) {
     return scene.has_value();
 }
 
+// Waits until a file of the scene is another one than before; false if the view ends.
+bool View::State::changes(const std::vector<std::filesystem::file_time_type>& before,
+                          const std::stop_token& stop) {
+    constexpr std::chrono::milliseconds pause(500);
+    std::unique_lock lock(mutex);
+    while (!stop.stop_requested() && times_of_files(request) == before) {
+        changed.wait_for(lock, stop, pause, [] { return false; });
+    }
+    return !stop.stop_requested();
+}
+
 // Before it is told that the scene is there.
 void View::State::share_scene() {
     const std::lock_guard lock(mutex);
@@ -183,8 +209,12 @@ void View::State::share_scene() {
 void View::State::work(const std::stop_token& stop) {
     if (scene) {
         share_scene();
-    } else if (!load(stop)) {
-        return;
+    }
+    while (!scene) {
+        const std::vector<std::filesystem::file_time_type> before = times_of_files(request);
+        if (!load(stop) && !changes(before, stop)) {
+            return;
+        }
     }
     for (;;) {
         Wanted next;

@@ -311,6 +311,22 @@ TEST_F(ViewTest, TellsWhyAnotherSceneIsNotLoaded) {
     EXPECT_TRUE(told_.cameras().empty());
 }
 
+TEST_F(ViewTest, LoadsASceneAgainWhenItsFileChanges) {
+    const std::filesystem::path file = folder_ / "late.obj";
+    std::filesystem::remove(file);
+    request_.scene = file.string();
+    const std::unique_ptr<View> view = View::load(request_, told_.observer(), {}, folder_);
+    const std::uint64_t change = view->change({.text = fisheye, .size = {{64, 48}}});
+    EXPECT_TRUE(has_errors(told_.loading().back().diagnostics));
+    EXPECT_FALSE(view->scene());
+    std::filesystem::copy_file(folder_ / "corner.obj", folder_ / "made.obj",
+                               std::filesystem::copy_options::overwrite_existing);
+    std::filesystem::rename(folder_ / "made.obj", file);
+    ASSERT_TRUE(told_.rests_at(change));
+    EXPECT_FALSE(told_.frames_of(change).empty());
+    EXPECT_TRUE(view->scene());
+}
+
 TEST_F(ViewTest, EndsInTheMiddleOfAPicture) {
     request_.samples = 100'000;
     std::unique_ptr<View> view = open();
