@@ -30,6 +30,8 @@ export class ParameterSliders extends LitElement {
     private ranges = new Map<string, SliderRange>();
     /** Those that do not follow a hand on the picture. */
     private readonly fixed = new Set<string>();
+    /** What stands in a field that somebody types in. */
+    private typing: { name: string; text: string } | null = null;
     private isHeld = false;
     private timer = 0;
 
@@ -113,10 +115,14 @@ export class ParameterSliders extends LitElement {
         const id = `parameter-${parameter.name}`;
         const moved = (event: Event) =>
             this.move(parameter, rounded((event.target as HTMLInputElement).valueAsNumber, range.step));
-        const typed = (event: Event) => {
-            const field = event.target as HTMLInputElement;
-            this.move(parameter, Number.parseFloat(field.value));
+        const typing = (event: Event) => {
+            this.typing = { name: parameter.name, text: (event.target as HTMLInputElement).value };
         };
+        const typed = (event: Event) => {
+            this.typing = null;
+            this.move(parameter, Number.parseFloat((event.target as HTMLInputElement).value));
+        };
+        const written = this.typing?.name === parameter.name ? this.typing.text : text;
         return html`
             <div class="parameter">
                 <label for=${id} title=${parameter.meaning ?? nothing}>${parameter.name}</label>
@@ -139,10 +145,12 @@ export class ParameterSliders extends LitElement {
                     <input
                         type="text"
                         inputmode="decimal"
-                        .value=${live(text)}
+                        .value=${live(written)}
                         ?disabled=${this.isReadOnly}
                         aria-label="${parameter.name}${sign ? " in degrees" : ""}"
+                        @input=${typing}
                         @change=${typed}
+                        @blur=${() => (this.typing = null)}
                     /><span aria-hidden="true">${sign}</span>
                 </span>
             </div>
