@@ -6,7 +6,7 @@
 // Bundles the page into a folder, by default ../build/studio: index.html, icon.svg, studio.js
 // with what it loads later, studio.css and licences.txt, which has the licences of all that is bundled.
 
-import { copyFileSync, mkdirSync, readdirSync, rmSync, writeFileSync } from "node:fs";
+import { copyFileSync, mkdirSync, readdirSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
@@ -15,6 +15,11 @@ import { licences } from "./licences.mjs";
 const here = dirname(fileURLToPath(import.meta.url));
 const folder = process.argv[2] ?? join(here, "../build/studio");
 mkdirSync(folder, { recursive: true });
+const [named, there] = ["package-lock.json", "node_modules/.package-lock.json"].map((file) => statSync(join(here, file)));
+if (named.mtimeMs > there.mtimeMs) {
+    console.error("The packages of the page are older than studio/package-lock.json: scripts/studio --setup gets them.");
+    process.exit(1);
+}
 // Names of files that are loaded later change with the sources.
 for (const file of readdirSync(folder)) if (file.endsWith(".js")) rmSync(join(folder, file));
 
