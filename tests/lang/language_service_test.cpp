@@ -215,6 +215,17 @@ TEST(LanguageService, KnowsEveryStage) {
     EXPECT_GT(known, 100U);
 }
 
+TEST(LanguageService, CompletesWhatRepeats) {
+    const Marked marked("camera a { map u = 0 .. 1, v = 0 .. 1\n eye sphere(1)\n warp ^\n}");
+    const Completions made = EditedText(marked.text).complete(marked.offset);
+    const auto found = std::find_if(made.items.begin(), made.items.end(),
+                                    [](const Completion& one) { return one.label == "repeat"; });
+    ASSERT_NE(found, made.items.end());
+    const auto result = test::make(
+        test::edited(std::string(marked.text->text()), {{made.begin, made.end, found->text}}));
+    EXPECT_TRUE(result) << to_text(result.diagnostics);
+}
+
 // Calls that name no file make cameras.
 TEST(LanguageService, CompletesObjectsThatWork) {
     for (const camera::StageEntry& row : camera::catalogue()) {

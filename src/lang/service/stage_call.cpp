@@ -208,11 +208,18 @@ private:
         made_.blanks.push_back({begin, made_.text.size() - 1});
     }
 
+    // Several stages have no name, nor has what stands before them.
+    [[nodiscard]] bool is_unnamed(const StageParameter& parameter) const {
+        return std::any_of(&parameter, row_.parameters.data() + row_.parameters.size(),
+                           [](const StageParameter& one) {
+                               const auto* nested = one.as<camera::NestedStageParameter>();
+                               return nested != nullptr && nested->several;
+                           });
+    }
+
     void argument(const StageParameter& parameter, const std::string& built_in) {
-        const auto* nested = parameter.as<camera::NestedStageParameter>();
-        const bool names_itself = parameter.as<camera::FormulaParameter>() != nullptr ||
-                                  (nested != nullptr && nested->several);
-        if (!names_itself) {
+        const bool is_formula = parameter.as<camera::FormulaParameter>() != nullptr;
+        if (!is_formula && !is_unnamed(parameter)) {
             made_.text += fmt::format("{} = ", parameter.name);
         }
         std::string value = built_in;
