@@ -5,6 +5,7 @@
 // closes with Escape, and a promise of the answer.
 
 import { html, render, type TemplateResult } from "lit";
+import type { RenderOrder } from "./protocol";
 
 /** The form's fields by name, and the button that was pressed; null if it was closed. */
 function ask(title: string, body: TemplateResult | string, buttons: [string, string][]): Promise<FormData | null> {
@@ -56,6 +57,34 @@ export async function askForSize(size: [number, number]): Promise<string | null>
     return answer && `${answer.get("width")}x${answer.get("height")}`;
 }
 
+export async function askForRender(size: [number, number]): Promise<RenderOrder | null> {
+    const answer = await ask(
+        "Render in full quality",
+        html`<div class="fields">
+            ${numberField("width", "Width", size[0], 65536)} ${numberField("height", "Height", size[1], 65536)}
+            ${numberField("samples", "Samples a pixel", 64, 65536)}
+            <label><span>Without noise</span><input type="checkbox" name="denoise" checked /></label>
+            <label>
+                <span>File</span>
+                <select name="output">
+                    <option value="png">PNG, for the screen</option>
+                    <option value="exr">EXR, with all its light</option>
+                </select>
+            </label>
+        </div>`,
+        [["render", "Render"]],
+    );
+    return (
+        answer && {
+            width: Number(answer.get("width")),
+            height: Number(answer.get("height")),
+            samples: Number(answer.get("samples")),
+            denoise: answer.has("denoise"),
+            output: answer.get("output") === "exr" ? "exr" : "png",
+        }
+    );
+}
+
 export async function askForName(name: string): Promise<string | null> {
     const answer = await ask(
         `Another name for ${name}`,
@@ -71,8 +100,13 @@ export async function confirm(title: string, words: string, action: string): Pro
     return (await ask(title, html`<p>${words}</p>`, [["yes", action]])) !== null;
 }
 
+export async function showText(title: string, text: string): Promise<void> {
+    await ask(title, html`<textarea readonly rows="8" cols="80" aria-label=${title} .value=${text}></textarea>`, []);
+}
+
 const keys: [string, string][] = [
     ["Ctrl+S", "save the file"],
+    ["Ctrl+Enter", "render in full quality"],
     ["Alt+1, Alt+2, Alt+3", "go to the text, to the sliders, to the handles on the picture"],
     ["Ctrl+Z, Ctrl+Y", "undo, redo, also what a slider has changed"],
     ["Ctrl and the mouse", "drag a number of the text; with Shift, ten times as far"],

@@ -58,6 +58,28 @@ export interface About {
     requests?: string[];
 }
 
+export interface RenderOrder {
+    width: number;
+    height: number;
+    samples: number;
+    denoise: boolean;
+    output: "png" | "exr";
+}
+
+export interface RenderProgress {
+    id: number;
+    /** The part, from 0 to 1. */
+    done: number;
+    seconds: number;
+}
+
+export interface RenderDone {
+    id: number;
+    file: string | null;
+    stopped: boolean;
+    diagnostics: { message: string }[];
+}
+
 /** A number of the camera. Angles are in radians. */
 export interface Parameter {
     name: string;

@@ -27,6 +27,8 @@ import {
     type Position,
     protocol,
     type Pull,
+    type RenderDone,
+    type RenderProgress,
     type SceneState,
     type Seen,
     type TextEdit,
@@ -73,6 +75,8 @@ export class Session implements Listener {
     chosen = "";
     shown: FrameHead | null = null;
     isAtRest = false;
+    /** Of a picture in full quality. */
+    render: RenderProgress | null = null;
     readonly latency = new Latency();
     readonly connection: Connection;
     private readonly text = new SharedText((version, text) => this.send(version, text));
@@ -195,6 +199,7 @@ export class Session implements Listener {
     lost(isRefused: boolean): void {
         this.link = isRefused ? "refused" : this.about ? "lost" : "connecting";
         this.text.disconnected();
+        this.render = null;
         this.page.changed();
     }
 
@@ -222,6 +227,12 @@ export class Session implements Listener {
             if (!state.diagnostics.some(({ severity }) => severity === 1)) this.camera = state;
             this.isAtRest = false;
             this.showProblems();
+        },
+        "render/progress": (progress: RenderProgress) => (this.render = progress),
+        "render/done": ({ file, stopped, diagnostics }: RenderDone) => {
+            this.render = null;
+            const words = file ? `${stopped ? "Stopped: wrote" : "Wrote"} ${file}` : "No picture was written";
+            this.page.say([words, ...diagnostics.map(({ message }) => message)].join("\n"), file === null && !stopped);
         },
         "cameras/failed": ({ name, message }: { name: string; message: string }) =>
             this.page.noThumbnail(name, message),

@@ -13,6 +13,7 @@ import "./camera_space";
 import { askForName, askForSize, confirm, showKeys } from "./dialogs";
 import type { CameraEditor } from "./editor";
 import "./editor";
+import { copyCommand, startRender, stopRender } from "./full_render";
 import { HandleHand } from "./handle_hand";
 import type { Pair } from "./handle_marks";
 import { handStep } from "./number_drag";
@@ -195,6 +196,9 @@ export class BalconyStudio extends LitElement implements Page {
         wall: () => this.attempt(this.wall.open()),
         size: (name) => void this.resize(name),
         save: () => this.attempt(this.save()),
+        render: () => this.attempt(startRender(this.session, this.pixels).then(() => this.changed())),
+        stop: () => this.attempt(stopRender(this.session)),
+        command: () => this.attempt(copyCommand(this.session).then((words) => words && this.say(words))),
         expose: () => this.session.changeView({ exposure: true }),
         format: () => this.attempt(this.session.format()),
         theme: (theme) => {
@@ -216,17 +220,15 @@ export class BalconyStudio extends LitElement implements Page {
 
     private pressed(event: KeyboardEvent): void {
         const control = event.ctrlKey || event.metaKey;
-        const act = control && event.key === "s"
-            ? this.actions.save
-            : event.altKey && event.key === "1"
-              ? () => this.editor.focus()
-              : event.altKey && event.key === "2"
-                ? () => this.sliders.querySelector("input")?.focus()
-                : event.altKey && event.key === "3"
-                  ? () => this.querySelector<PictureHandles>("picture-handles")?.focusFirst()
-                  : event.key === "F1"
-                    ? this.actions.keys
-                    : this.undoKey(event, control);
+        const withControl: Record<string, () => void> = { s: this.actions.save, Enter: this.actions.render };
+        const withAlt: Record<string, () => void> = {
+            1: () => this.editor.focus(),
+            2: () => this.sliders.querySelector("input")?.focus(),
+            3: () => this.querySelector<PictureHandles>("picture-handles")?.focusFirst(),
+        };
+        const act =
+            (control ? withControl[event.key] : event.altKey ? withAlt[event.key] : null) ??
+            (event.key === "F1" ? this.actions.keys : this.undoKey(event, control));
         if (!act || document.querySelector("dialog[open]")) return;
         event.preventDefault();
         event.stopPropagation();

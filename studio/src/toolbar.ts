@@ -18,6 +18,9 @@ export interface ToolbarActions {
     /** By the words of choiceOf(). */
     size(name: string): void;
     save(): void;
+    render(): void;
+    stop(): void;
+    command(): void;
     expose(): void;
     format(): void;
     theme(theme: Theme): void;
@@ -67,6 +70,24 @@ function sizeChoice(size: SizeChoice, pixels: [number, number], actions: Toolbar
     `;
 }
 
+function renderButton(session: Session, actions: ToolbarActions) {
+    const { render } = session;
+    if (!session.can("render/start") || session.about?.readOnly) return nothing;
+    if (!render) {
+        return html`<button class="main" id="render" title="Render in full quality (Ctrl+Enter)" @click=${actions.render}>
+            Render…
+        </button>`;
+    }
+    const part = Math.round(100 * render.done);
+    return html`
+        <span class="progress">
+            <progress max="100" value=${part} aria-label="Rendering"></progress>
+            <span>${part} %</span>
+            <button id="stop" @click=${actions.stop}>Stop</button>
+        </span>
+    `;
+}
+
 const overlayWords: Record<OverlayName, string> = {
     grid: "Lines of u and v",
     scale: "Scale",
@@ -100,6 +121,7 @@ function menu(session: Session, theme: Theme, inspection: Inspection, actions: T
             <div class="items" role="menu" @click=${closeOnChoice}>
                 ${item("format", "Format the text", "Shift+Alt+F", actions.format)}
                 ${item("expose", "Expose for this picture", "", actions.expose)}
+                ${session.can("command") ? item("command", "Copy the command line", "", actions.command) : nothing}
                 ${session.can("view/at") ? overlayChoice(inspection, actions) : nothing}
                 <div class="group themes" role="group" aria-label="Colours">
                     <span class="heading">Colours</span>
@@ -187,7 +209,7 @@ export function toolbar({ session, size, pixels, theme, hasHandles, inspection }
                   </button>`
                 : nothing}
             <button id="save" ?disabled=${!unsaved} title="Save the file (Ctrl+S)" @click=${actions.save}>Save</button>
-            ${menu(session, theme, inspection, actions)}
+            ${renderButton(session, actions)} ${menu(session, theme, inspection, actions)}
         </header>
     `;
 }

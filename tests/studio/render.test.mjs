@@ -1,0 +1,65 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// Pictures in full quality: one is written, one is stopped, and the command line that makes one is told.
+
+import assert from "node:assert/strict";
+import { existsSync, readFileSync } from "node:fs";
+import { test } from "node:test";
+import { cameraFile, serverOf, text } from "./harness.mjs";
+
+const studio = serverOf(text);
+
+/** Opens the dialog by its key, and fills its fields. */
+async function order(page, fields) {
+    await page.tab.keyboard.press("Control+Enter");
+    const dialog = page.tab.getByRole("dialog", { name: "Render in full quality" });
+    for (const [name, value] of Object.entries(fields)) await dialog.locator(`[name=${name}]`).fill(String(value));
+    await dialog.getByRole("button", { name: "Render" }).click();
+}
+
+const file = (ending) => cameraFile.replace(/\.cam$/, ending);
+
+test("a picture is rendered beside the camera file, and no file is replaced", async () => {
+    const page = await studio.open();
+    await order(page, { width: 64, height: 36, samples: 4 });
+    await page.tab.getByText(`Wrote ${file(".png")}`).waitFor();
+    const bytes = readFileSync(file(".png"));
+    assert.deepEqual([bytes.readUInt32BE(16), bytes.readUInt32BE(20)], [64, 36]);
+    await page.tab.locator("#render").click();
+    const dialog = page.tab.getByRole("dialog", { name: "Render in full quality" });
+    const [width, height] = await Promise.all(
+        ["width", "height"].map((name) => dialog.locator(`[name=${name}]`).inputValue()),
+    );
+    const aspect = await page.tab.evaluate(() => {
+        const { width, height } = document.querySelector("live-picture canvas");
+        return width / height;
+    });
+    assert.equal(width, "1920");
+    assert.ok(Math.abs(width / height - aspect) < 0.02 * aspect, `${height}`);
+    await page.tab.keyboard.press("Escape");
+    await order(page, { width: 32, height: 18, samples: 1 });
+    await page.tab.getByText(`Wrote ${file("-2.png")}`).waitFor();
+    assert.deepEqual(readFileSync(file(".png")), bytes);
+});
+
+test("a render shows how far it is, and is stopped", async () => {
+    const page = await studio.open();
+    await order(page, { width: 1600, height: 900, samples: 60000 });
+    await page.tab.getByRole("progressbar", { name: "Rendering" }).waitFor();
+    await page.until(({ session }) => session.render?.seconds > 0.5);
+    await page.tab.locator("#stop").click();
+    await page.tab.getByText(/^Stopped: wrote /).waitFor();
+    assert.ok(existsSync(file("-3.png")) || existsSync(file(".png")));
+    await page.tab.locator("#render").waitFor();
+});
+
+test("the command line that renders what is shown is copied", async () => {
+    const page = await studio.open();
+    await page.tab.locator("summary").click();
+    await page.tab.locator("#command").click();
+    await page.tab.getByText(/^Copied:/).waitFor();
+    const line = await page.tab.evaluate(() => navigator.clipboard.readText());
+    assert.match(line, /^balcony render /);
+    assert.ok(line.includes(cameraFile.split("/").at(-1)), line);
+});
