@@ -4,13 +4,13 @@
 // The hand on the picture itself: what stands at a pixel, points that are held, and a point that is pulled.
 
 import type { Pair } from "./handle_marks";
-import type { DragPoint, PicturePlace, Pull } from "./protocol";
+import type { Dragged, DragPoint, PicturePlace, Pull } from "./protocol";
 
 export interface PictureServer {
     /** What stands at a pixel of the full size; null without a connection. */
     at(place: Pair): Promise<PicturePlace | null>;
-    /** Pulls; an empty list ends it. */
-    drag(pulls: Pull[]): void;
+    /** Pulls; an empty list ends it. The number of the change; null without a connection. */
+    drag(pulls: Pull[]): Promise<number | null>;
     /** Writes the values of the last answer into the text. */
     keep(): Promise<void>;
     /** A drag has ended without being kept. */
@@ -31,6 +31,9 @@ function pullOf(place: PicturePlace): Pull | null {
     return place.ray ? { point: place.ray.direction, infinite: true, from: at, to: at } : null;
 }
 
+/** How long a hand that lets go waits for the answer to its last pull, in milliseconds. */
+const patience = 2000;
+
 export class PictureHand {
     /** Under the hand, or kept by a click. */
     seen: PicturePlace | null = null;
@@ -40,6 +43,9 @@ export class PictureHand {
     private wanted: Pair | null = null;
     private isAsking = false;
     private to: Pair | null = null;
+    /** The number of the last pull, and of the last one that was answered. */
+    private last: Promise<number | null> = Promise.resolve(null);
+    private answered = 0;
 
     constructor(private readonly server: PictureServer) {}
 
@@ -118,27 +124,37 @@ export class PictureHand {
         this.to = to;
         if (!this.pulled) return;
         this.pulled.pull = { ...this.pulled.pull, to };
-        this.server.drag(this.grips.map(({ pull }) => pull));
+        this.last = this.server.drag(this.grips.map(({ pull }) => pull));
         this.server.changed();
     }
 
-    told(points: DragPoint[]): void {
+    told({ points, change }: Dragged): void {
+        this.answered = change;
         for (const [index, grip] of this.grips.entries()) grip.told = points[index] ?? null;
     }
 
     /** Lets go: the text gets the values that were found. */
     async release(): Promise<void> {
         this.to = null;
+        await this.untilAnswered();
         if (!this.pulled) return;
         await this.server.keep();
         this.ended();
+    }
+
+    private async untilAnswered(): Promise<void> {
+        const change = await this.last;
+        const end = Date.now() + patience;
+        while (change !== null && this.pulled && this.answered < change && Date.now() < end) {
+            await new Promise((goOn) => setTimeout(goOn, 5));
+        }
     }
 
     /** Lets go, and all is as it was. */
     cancel(): void {
         this.to = null;
         if (!this.pulled) return;
-        this.server.drag([]);
+        void this.server.drag([]);
         this.server.cancelled();
         this.ended();
     }

@@ -382,13 +382,15 @@ export class Session implements Listener {
         }
     }
 
-    /** A hand pulls at the picture, and these parameters follow. */
-    drag(pulls: Pull[], parameters: string[]): void {
-        if (this.link !== "open") return;
+    /** A hand pulls at the picture, and these parameters follow. The number of the change; null without a connection. */
+    drag(pulls: Pull[], parameters: string[]): Promise<number | null> {
+        if (this.link !== "open") return Promise.resolve(null);
         this.isAtRest = false;
-        const number = this.connection.request<{ change: number }>("view/drag", { pulls, parameters });
-        if (pulls.length > 0) this.latency.begin(number.then(({ change }) => change));
-        else number.catch(() => {}); // Of a lost connection.
+        const number = this.connection
+            .request<{ change: number }>("view/drag", { pulls, parameters })
+            .then(({ change }) => change);
+        if (pulls.length > 0) this.latency.begin(number);
+        return number.catch(() => null);
     }
 
     /** Edits of the text as it is when they are made. */

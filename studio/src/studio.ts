@@ -163,7 +163,7 @@ export class BalconyStudio extends LitElement implements Page {
     dragged(told: Dragged): void {
         if (!this.pictureHand.pulled) return;
         this.lastDrag = told;
-        this.pictureHand.told(told.points);
+        this.pictureHand.told(told);
         this.sliders.show(told.values);
     }
 
