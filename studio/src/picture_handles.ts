@@ -4,6 +4,7 @@
 // The handles on the picture. A hand drags them, or arrows move them by pixels.
 
 import { html, LitElement, nothing, svg } from "lit";
+import { followPointer } from "./follow_pointer";
 import type { HandleHand } from "./handle_hand";
 import { type Mark, type Marks, marksOf, type Outline, type Pair } from "./handle_marks";
 import { numberText } from "./parameter_range";
@@ -86,7 +87,6 @@ export class PictureHandles extends LitElement {
     private pressed(mark: Mark, begin: PointerEvent): void {
         if (begin.button !== 0) return;
         const target = begin.currentTarget as SVGElement;
-        target.setPointerCapture(begin.pointerId);
         target.focus();
         begin.preventDefault();
         begin.stopPropagation();
@@ -99,13 +99,7 @@ export class PictureHandles extends LitElement {
                 left + (event.clientX - begin.clientX) / this.clientWidth,
                 top + (event.clientY - begin.clientY) / this.clientHeight,
             ]);
-        const end = (): void => {
-            target.removeEventListener("pointermove", move);
-            target.removeEventListener("lostpointercapture", end);
-            this.rest();
-        };
-        target.addEventListener("pointermove", move);
-        target.addEventListener("lostpointercapture", end);
+        followPointer(begin, move, () => this.rest());
     }
 
     private keyed(mark: Mark, event: KeyboardEvent): void {

@@ -4,6 +4,7 @@
 // The picture as a thing to touch, and the marks of what is held.
 
 import { html, LitElement, nothing, svg } from "lit";
+import { followPointer } from "./follow_pointer";
 import type { Pair } from "./handle_marks";
 import type { Grip, PictureHand } from "./picture_hand";
 
@@ -53,8 +54,6 @@ export class PictureTouch extends LitElement {
 
     private pressed(begin: PointerEvent): void {
         if (begin.button !== 0) return;
-        const target = begin.currentTarget as Element;
-        target.setPointerCapture(begin.pointerId);
         const from = this.placeOf(begin);
         let isDrag = false;
         const move = (event: PointerEvent): void => {
@@ -69,16 +68,13 @@ export class PictureTouch extends LitElement {
             if (event.key === "Escape") this.hand.cancel();
         };
         const end = (event: Event): void => {
-            target.removeEventListener("pointermove", move as EventListener);
-            target.removeEventListener("lostpointercapture", end);
             removeEventListener("keydown", cancel, { capture: true });
             if (isDrag) void this.hand.release();
             else if (begin.shiftKey && this.canDrag) void this.hand.pin(from);
             else void this.hand.keep(this.hand.isKept ? null : from);
             event.stopPropagation();
         };
-        target.addEventListener("pointermove", move as EventListener);
-        target.addEventListener("lostpointercapture", end);
+        followPointer(begin, move, end);
         addEventListener("keydown", cancel, { capture: true });
     }
 

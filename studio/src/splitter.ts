@@ -4,6 +4,7 @@
 // The edge between the picture and the text, which is dragged or moved by arrow keys.
 
 import { html } from "lit";
+import { followPointer } from "./follow_pointer";
 
 const least = 280;
 const step = 24;
@@ -28,10 +29,7 @@ function pressed(event: KeyboardEvent): void {
 function held(event: PointerEvent): void {
     const edge = event.currentTarget as HTMLElement;
     const [begin, width] = [event.clientX, widthNow(edge)];
-    edge.setPointerCapture(event.pointerId);
-    const move = (moved: PointerEvent): void => setWidth(edge, width + begin - moved.clientX);
-    edge.addEventListener("pointermove", move);
-    edge.addEventListener("lostpointercapture", () => edge.removeEventListener("pointermove", move), { once: true });
+    followPointer(event, (moved) => setWidth(edge, width + begin - moved.clientX));
 }
 
 export const splitter = () => html`

@@ -5,6 +5,7 @@
 // left, or arrows move it by steps.
 
 import { html, LitElement, nothing } from "lit";
+import { followPointer } from "./follow_pointer";
 import type { HandleHand } from "./handle_hand";
 import { marksOf, nameOf, numbersOf, type Pair } from "./handle_marks";
 import { handStep } from "./number_drag";
@@ -87,20 +88,13 @@ export class StageNumbers extends LitElement {
     private pressed(id: string, index: number, at: number, begin: PointerEvent): void {
         if (begin.button !== 0) return;
         const target = begin.currentTarget as HTMLElement;
-        target.setPointerCapture(begin.pointerId);
         target.focus();
         begin.preventDefault();
         this.hold(id, index, at);
         const pixels = this.handles[index]!.kind === "count" ? pixelsOfCount : 1;
         const move = (event: PointerEvent): void =>
             this.move(at, (event.shiftKey ? 10 : 1) * Math.round((event.clientX - begin.clientX) / pixels));
-        const end = (): void => {
-            target.removeEventListener("pointermove", move);
-            target.removeEventListener("lostpointercapture", end);
-            this.rest();
-        };
-        target.addEventListener("pointermove", move);
-        target.addEventListener("lostpointercapture", end);
+        followPointer(begin, move, () => this.rest());
     }
 
     private keyed(id: string, index: number, at: number, event: KeyboardEvent): void {
