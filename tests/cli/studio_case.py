@@ -53,6 +53,14 @@ class StudioTest(support.CommandTest):
         self.addCleanup(page.close)
         return page
 
+    def shown(self, **changes):
+        """A page whose small picture is at rest."""
+        page = self.page().begin()
+        page.result("view/change", size=SMALL, **changes)
+        page.wait_for("view/camera", name="above")
+        page.wait_for("view/rest")
+        return page
+
     def get(self, path, method="GET", **headers):
         """The status, the headers and the body of an answer."""
         connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=60)

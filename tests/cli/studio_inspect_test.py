@@ -3,17 +3,10 @@
 """balcony studio: questions about what a picture shows."""
 
 import support
-from studio_case import CAMERA, SMALL, StudioTest
+from studio_case import CAMERA, StudioTest
 
 
 class Questions(StudioTest):
-    def shown(self, **changes):
-        page = self.page().begin()
-        page.result("view/change", size=SMALL, **changes)
-        page.wait_for("view/camera", name="above")
-        page.wait_for("view/rest")
-        return page
-
     # A pixel is 6/64 wide. The wall is one below the origin, the camera five above it.
     def test_what_stands_at_a_point(self):
         self.open()

@@ -9,13 +9,6 @@ from studio_case import CAMERA, SMALL, StudioTest
 
 
 class Render(StudioTest):
-    def shown(self, **changes):
-        page = self.page().begin()
-        page.result("view/change", size=SMALL, **changes)
-        page.wait_for("view/camera", name="above")
-        page.wait_for("view/rest")
-        return page
-
     # It is what the command renders of the text as it is, which no file has.
     def test_a_picture(self):
         self.open("--exposure", "0")
