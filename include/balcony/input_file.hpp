@@ -23,6 +23,9 @@ namespace balcony {
 /// which `name` is what messages call the file, in quotes.
 [[nodiscard]] std::optional<Diagnostic> begin_text(std::string_view& text, std::string_view name);
 
+/// ".glb": the extension of a file in small letters.
+[[nodiscard]] std::string extension_of(const std::filesystem::path& file);
+
 /// The sorted names in a folder, which is the current one if its name is empty; none if it cannot
 /// be read.
 [[nodiscard]] std::vector<std::string> names_in(const std::filesystem::path& folder);

@@ -128,8 +128,23 @@ struct Spot {
     double area = 0.0;  ///< Of the light that passes, at right angles to it in front of the lens.
 };
 
+/// Of light from one direction, in several colours.
+struct FieldSpots {
+    std::array<double, 2> degrees{};  ///< To the right of the axis and above it.
+    std::vector<Spot> spots{};        ///< By wavelength.
+    double light = 1.0;               ///< In relation to that of the axis.
+    double distortion = 0.0;  ///< How much farther from the axis it arrives than a pinhole's does.
+};
+
 /// By tracing some 10,000 rays, all of which carry the same part of the light, through a lens that
 /// check() finds nothing wrong with. Nothing if none passes.
 [[nodiscard]] std::optional<Spot> spot_of(const Prescription& lens, const SpotOptions& options);
+
+/// The colours of field_spots().
+inline constexpr std::array spot_wavelengths{line_F, line_d, line_C};
+
+/// On the axis, above it, and of an anamorphic lens also beside it, as far as light passes, up to
+/// 60 degrees; nothing if none passes on the axis. Light and distortion are those of the line d.
+[[nodiscard]] std::vector<FieldSpots> field_spots(const Prescription& lens);
 
 }  // namespace balcony::camera

@@ -4,6 +4,7 @@
 #include "balcony/input_file.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -48,6 +49,13 @@ std::optional<Diagnostic> begin_text(std::string_view& text, std::string_view na
         text.remove_prefix(3);
     }
     return std::nullopt;
+}
+
+std::string extension_of(const fs::path& file) {
+    std::string extension = file.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension;
 }
 
 std::vector<std::string> names_in(const fs::path& folder) {

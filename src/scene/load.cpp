@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <exception>
 #include <new>
 
@@ -31,13 +30,6 @@ constexpr float lumens_per_watt = 683.0F;
 constexpr std::array scene_formats{Format{".glb", read_gltf}, Format{".gltf", read_gltf},
                                    Format{".obj", read_obj}, Format{".ply", read_ply},
                                    Format{".stl", read_stl}};
-
-std::string extension_of(const fs::path& file) {
-    std::string extension = file.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char byte) { return static_cast<char>(std::tolower(byte)); });
-    return extension;
-}
 
 const Format& format_of(const fs::path& file) {
     const std::string extension = extension_of(file);

@@ -195,4 +195,30 @@ TEST(Spots, OfACylinderAreLines) {
     EXPECT_LT(camera::spot_of(both, {})->rms_radius, 0.02);
 }
 
+// Of a convex lens, a stop in front of it leaves out what would be farther from the axis: a barrel;
+// one behind it, what would be nearer: a pincushion.
+TEST(Spots, OfALensBesideItsStopAreDistorted) {
+    const camera::Medium glass{"glass", camera::Medium::Dispersion::none, {1.6}};
+    const camera::LensSurface front{
+        .curvature = 1.0 / 100.0, .radius = 25.0, .gap = 4.0, .behind = glass};
+    camera::LensSurface back{.curvature = -1.0 / 100.0, .radius = 25.0};
+    camera::LensSurface stop{.radius = 2.0, .stop = true, .gap = 20.0};
+    const auto fields_in_front =
+        camera::field_spots({.name = "barrel", .surfaces = {stop, front, back}});
+    back.gap = 20.0;
+    stop.gap = 0.0;
+    const auto fields_behind =
+        camera::field_spots({.name = "pincushion", .surfaces = {front, back, stop}});
+    ASSERT_GE(fields_in_front.size(), 5U);
+    ASSERT_GE(fields_behind.size(), 5U);
+    EXPECT_EQ(fields_behind.front().distortion, 0.0);
+    EXPECT_EQ(fields_behind.front().light, 1.0);
+    for (std::size_t i = 1; i < 5; ++i) {
+        EXPECT_LT(fields_in_front[i].distortion, 1.5 * fields_in_front[i - 1].distortion) << i;
+        EXPECT_GT(fields_behind[i].distortion, 1.5 * fields_behind[i - 1].distortion) << i;
+    }
+    EXPECT_LT(fields_in_front[4].distortion, -0.005);
+    EXPECT_GT(fields_behind[4].distortion, 0.005);
+}
+
 }  // namespace balcony::rays::test::spots_test

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -14,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "balcony/data.hpp"
+#include "balcony/input_file.hpp"
 #include "balcony/inputs.hpp"
 #include "balcony/motion.hpp"
 #include "balcony/names.hpp"
@@ -182,9 +182,7 @@ std::string scene_text(const scene::Scene& scene, const std::string& light, bool
 }
 
 bool is_lens(const std::string& file) {
-    std::string extension = std::filesystem::path(file).extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string extension = extension_of(file);
     return extension == ".dat" || extension == ".zmx";
 }
 
@@ -193,9 +191,9 @@ ExitCode lens_info(const InfoOptions& options) {
     const auto lens = file ? data::read_prescription(*file) : file.diagnostics;
     Answer answer;
     if (answer.add(lens.diagnostics)) {
-        const LensSpots spots = find_spots(**lens);
-        answer.facts["lens"] = to_json(**lens, spots);
-        answer.text = to_text(**lens, spots);
+        const std::vector<camera::FieldSpots> fields = camera::field_spots(**lens);
+        answer.facts["lens"] = to_json(**lens, fields);
+        answer.text = to_text(**lens, fields);
     }
     return give(answer, options.manner);
 }

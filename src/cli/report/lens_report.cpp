@@ -3,8 +3,8 @@
 
 #include "cli/report/lens_report.hpp"
 
+#include <array>
 #include <cmath>
-#include <numbers>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -16,46 +16,13 @@ namespace balcony::cli {
 
 namespace {
 
+using camera::FieldSpots;
 using camera::ParaxialLens;
 using camera::Prescription;
 using camera::Spot;
 
-constexpr std::size_t middle_color = 1;  // Of the line d.
-
-/// The spots of a direction; none where no light of one of the colours passes.
-std::vector<Spot> spots_at(const Prescription& lens, const LensSpots& all,
-                           const std::array<double, 2>& degrees) {
-    std::vector<Spot> made;
-    for (const double wavelength : all.wavelengths) {
-        camera::SpotOptions options{.wavelength = wavelength};
-        for (std::size_t axis = 0; axis < 2; ++axis) {
-            options.field[axis] = std::tan(degrees[axis] * std::numbers::pi / 180.0);
-        }
-        const auto spot = camera::spot_of(lens, options);
-        if (!spot) {
-            return {};
-        }
-        made.push_back(*spot);
-    }
-    return made;
-}
-
-/// The light in relation to that of the axis.
-double light_of(const LensSpots& all, const LensSpots::Field& field) {
-    return field.spots[middle_color].area / all.fields.front().spots[middle_color].area;
-}
-
 ParaxialLens beside(const Prescription& lens) {
     return camera::paraxial(camera::horizontal_section(lens));
-}
-
-/// How much farther from the axis the light arrives than that of a pinhole would.
-double distortion_of(const Prescription& lens, const LensSpots::Field& field) {
-    const std::size_t axis = field.degrees[0] == 0.0 ? 1 : 0;
-    const double length =
-        axis == 1 ? camera::paraxial(lens).focal_length : beside(lens).focal_length;
-    const double wanted = -length * std::tan(field.degrees[axis] * std::numbers::pi / 180.0);
-    return field.spots[middle_color].middle[axis] / wanted - 1.0;
 }
 
 // "19.2 mm behind the first surface"
@@ -64,21 +31,20 @@ std::string place(double position, std::string_view surface) {
                        position < 0.0 ? "in front of" : "behind", surface);
 }
 
-std::string spots_text(const Prescription& lens, const LensSpots& all) {
+std::string spots_text(const Prescription& lens, const std::vector<FieldSpots>& fields) {
     std::string text =
         "\nspots: the root mean square radius in micrometres\n    field   light  distortion";
-    for (const double wavelength : all.wavelengths) {
+    for (const double wavelength : camera::spot_wavelengths) {
         text += fmt::format("  {:>5.1f} nm", 1000.0 * wavelength);
     }
-    for (const LensSpots::Field& field : all.fields) {
+    for (const FieldSpots& field : fields) {
         const bool middle = field.degrees == std::array{0.0, 0.0};
         text += fmt::format(
             "\n  {:>3.0f}{:<6} {:>3.0f} %  {:>10}", std::max(field.degrees[0], field.degrees[1]),
             !lens.is_anamorphic() || middle ? " deg"
             : field.degrees[0] > 0.0        ? " aside"
                                             : " up",
-            100.0 * light_of(all, field),
-            middle ? "" : fmt::format("{:+.2f} %", 100.0 * distortion_of(lens, field)));
+            100.0 * field.light, middle ? "" : fmt::format("{:+.2f} %", 100.0 * field.distortion));
         for (const Spot& spot : field.spots) {
             text += fmt::format("  {:>8.4g}", 1000.0 * spot.rms_radius);
         }
@@ -88,25 +54,7 @@ std::string spots_text(const Prescription& lens, const LensSpots& all) {
 
 }  // namespace
 
-LensSpots find_spots(const Prescription& lens) {
-    constexpr std::array angles{5.0, 10.0, 15.0, 20.0, 25.0, 30.0, 40.0, 50.0, 60.0};
-    LensSpots made{.wavelengths = {camera::line_F, camera::line_d, camera::line_C}};
-    made.fields.push_back({{0.0, 0.0}, spots_at(lens, made, {0.0, 0.0})});
-    for (const bool aside : {false, true}) {
-        for (const double angle : angles) {
-            const std::array<double, 2> degrees{aside ? angle : 0.0, aside ? 0.0 : angle};
-            auto spots = aside && !lens.is_anamorphic() ? std::vector<Spot>()
-                                                        : spots_at(lens, made, degrees);
-            if (spots.empty()) {
-                break;
-            }
-            made.fields.push_back({degrees, std::move(spots)});
-        }
-    }
-    return made;
-}
-
-std::string to_text(const Prescription& lens, const LensSpots& spots) {
+std::string to_text(const Prescription& lens, const std::vector<FieldSpots>& fields) {
     const ParaxialLens near_axis = camera::paraxial(lens);
     std::string text = fmt::format("{}\n", printable(lens.name));
     const auto line = [&text](std::string_view name, const std::string& value) {
@@ -127,17 +75,17 @@ std::string to_text(const Prescription& lens, const LensSpots& spots) {
                                        place(near_axis.entrance_pupil, "first")));
     line("exit pupil", fmt::format("{:.4g} mm wide, {}", 2.0 * near_axis.exit_radius,
                                    place(near_axis.exit_pupil, "last")));
-    return text + spots_text(lens, spots);
+    return text + spots_text(lens, fields);
 }
 
-nlohmann::json to_json(const Prescription& lens, const LensSpots& all) {
+nlohmann::json to_json(const Prescription& lens, const std::vector<FieldSpots>& fields) {
     const ParaxialLens near_axis = camera::paraxial(lens);
     nlohmann::json spots = nlohmann::json::array();
-    for (const LensSpots::Field& field : all.fields) {
+    for (const FieldSpots& field : fields) {
         for (std::size_t i = 0; i < field.spots.size(); ++i) {
             const Spot& spot = field.spots[i];
             spots.push_back({{"field", field.degrees},
-                             {"wavelength", 1000.0 * all.wavelengths[i]},
+                             {"wavelength", 1000.0 * camera::spot_wavelengths[i]},
                              {"middle", spot.middle},
                              {"rms_radius", spot.rms_radius},
                              {"area", spot.area}});

@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include "balcony/input_file.hpp"
 #include "balcony/names.hpp"
 #include "data/files.hpp"
 #include "data/lenses/lens_file.hpp"
@@ -20,13 +22,6 @@ namespace {
 
 constexpr std::size_t max_surfaces = 200;
 constexpr std::size_t max_errors = 10;
-
-bool has_extension(const File& file, std::string_view wanted) {
-    std::string extension = file.path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension == wanted;
-}
 
 // Zemax writes UTF-16. All that means something is in ASCII.
 std::optional<std::string> from_utf16(const std::string& bytes) {
@@ -131,8 +126,8 @@ Result<std::shared_ptr<const camera::Prescription>> read_prescription(const File
         return source.diagnostics;
     }
     Diagnostics found;
-    camera::Prescription lens =
-        has_extension(file, ".zmx") ? read_zemax(*source, found) : read_lens_table(*source, found);
+    camera::Prescription lens = extension_of(file.path) == ".zmx" ? read_zemax(*source, found)
+                                                                  : read_lens_table(*source, found);
     lens.name = file.name;
     if (found.empty() && lens.surfaces.empty()) {
         found.push_back(error(fmt::format("'{}' has no surfaces", file.name), {},

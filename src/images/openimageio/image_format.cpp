@@ -5,9 +5,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstdint>
 #include <string_view>
+
+#include "balcony/input_file.hpp"
 
 namespace balcony::images {
 
@@ -268,9 +269,7 @@ constexpr std::array<ImageFormat, 8> formats{{
 
 const ImageFormat* image_format(IOProxy& bytes, const std::filesystem::path& name) {
     const std::string start = bytes_at(bytes, 0, 18);
-    std::string ending = name.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](unsigned char byte) { return static_cast<char>(std::tolower(byte)); });
+    const std::string ending = extension_of(name);
     const auto* found =
         std::find_if(formats.begin(), formats.end(),
                      [&](const ImageFormat& format) { return format.matches(start, ending); });
