@@ -11,6 +11,7 @@
 #include <thread>
 #include <utility>
 
+#include "app/inputs/file_watch.hpp"
 #include "balcony/denoise.hpp"
 #include "balcony/display_pixels.hpp"
 #include "balcony/live.hpp"
@@ -26,16 +27,10 @@ double seconds_since(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-// When the files of a scene were written; the least time for one that is not there.
-std::vector<std::filesystem::file_time_type> times_of_files(const app::Request& request) {
-    std::vector<std::filesystem::file_time_type> times;
-    const auto add = [&times](const std::string& file) {
-        std::error_code none;
-        times.push_back(std::filesystem::last_write_time(file, none));
-    };
-    add(request.scene);
-    std::for_each(request.added.begin(), request.added.end(), add);
-    return times;
+std::vector<std::filesystem::path> scene_files(const app::Request& request) {
+    std::vector<std::filesystem::path> files{request.scene};
+    files.insert(files.end(), request.added.begin(), request.added.end());
+    return files;
 }
 
 // All changes so far.
@@ -82,8 +77,6 @@ struct View::State {
     // Of the thread.
     void work(const std::stop_token& stop);
     [[nodiscard]] bool load(const std::stop_token& stop);
-    [[nodiscard]] bool changes(const std::vector<std::filesystem::file_time_type>& before,
-                               const std::stop_token& stop);
     void share_scene();
     void show(const Wanted& next, const std::stop_token& newer, const std::stop_token& view_ends);
     [[nodiscard]] bool follow(const Wanted& next, const std::stop_token& newer);
@@ -189,17 +182,6 @@ bool View::State::load(const std::stop_token& stop) {
     return scene.has_value();
 }
 
-// Waits until a file of the scene is another one than before; false if the view ends.
-bool View::State::changes(const std::vector<std::filesystem::file_time_type>& before,
-                          const std::stop_token& stop) {
-    constexpr std::chrono::milliseconds pause(500);
-    std::unique_lock lock(mutex);
-    while (!stop.stop_requested() && times_of_files(request) == before) {
-        changed.wait_for(lock, stop, pause, [] { return false; });
-    }
-    return !stop.stop_requested();
-}
-
 // Before it is told that the scene is there.
 void View::State::share_scene() {
     const std::lock_guard lock(mutex);
@@ -211,8 +193,9 @@ void View::State::work(const std::stop_token& stop) {
         share_scene();
     }
     while (!scene) {
-        const std::vector<std::filesystem::file_time_type> before = times_of_files(request);
-        if (!load(stop) && !changes(before, stop)) {
+        const auto since = app::FileWatch::Time::clock::now();
+        if (!load(stop) &&
+            !app::wait_for_change({app::FileWatch(scene_files(request), since)}, stop)) {
             return;
         }
     }
