@@ -14,6 +14,7 @@
 
 #include "balcony/inputs.hpp"
 #include "balcony/lang.hpp"
+#include "balcony/language_service.hpp"
 #include "balcony/names.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/interruption.hpp"
@@ -63,15 +64,11 @@ Diagnostics choose_camera(const StudioOptions& options, studio::Options& made) {
     if (fs::exists(made.file, ignored)) {
         return {};
     }
-    Result<std::string> text = lang::Workspace().with_values(base, base, {});
-    if (!text) {
-        return std::move(text.diagnostics);
-    }
-    made.new_text = std::move(*text);
+    made.new_text = lang::built_in_text(base);
     if (!made.request.placement.fit) {
         made.request.placement.fit = true;
     }
-    return std::move(text.diagnostics);
+    return {};
 }
 
 ExitCode serve(const StudioOptions& options) {

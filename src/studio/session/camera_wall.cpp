@@ -15,6 +15,7 @@
 #include "balcony/studies.hpp"
 #include "lsp/rpc.hpp"
 #include "studio/session/frame_message.hpp"
+#include "studio/session/view_messages.hpp"
 
 namespace balcony::studio {
 
@@ -23,15 +24,6 @@ using nlohmann::json;
 namespace {
 
 constexpr std::size_t largest_thumbnail = 512;
-
-std::size_t side_of(const json& number) {
-    if (!number.is_number_unsigned() || number < 1 || number > largest_thumbnail) {
-        throw lsp::Refusal{lsp::invalid_params,
-                           fmt::format("a thumbnail has a width and a height of 1 to {} pixels",
-                                       largest_thumbnail)};
-    }
-    return number.get<std::size_t>();
-}
 
 // No other file is read.
 void require_built_in(const std::string& name) {
@@ -74,7 +66,9 @@ const json& CameraWall::list() {
 
 void CameraWall::show(const live::View& view, const json& asked) {
     const std::vector<std::string> names = names_of(asked.at("names"));
-    const std::array size{side_of(asked.at("width")), side_of(asked.at("height"))};
+    const std::array size{
+        count_of(asked.at("width"), largest_thumbnail, "the width of a thumbnail"),
+        count_of(asked.at("height"), largest_thumbnail, "the height of a thumbnail")};
     if (!thumbnails_) {
         const std::optional<app::PreparedScene> scene = view.scene();
         if (!scene) {

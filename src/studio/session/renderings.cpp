@@ -22,23 +22,14 @@ using Clock = std::chrono::steady_clock;
 
 namespace {
 
-constexpr std::size_t largest_rendered_side = 65536;
 constexpr std::size_t most_samples = 1'000'000;
 constexpr std::chrono::milliseconds least_pause(200);  // Between two messages of progress.
-
-std::size_t count_of(const json& number, std::size_t most, std::string_view what) {
-    if (!number.is_number_unsigned() || number < 1 || number > most) {
-        throw lsp::Refusal{lsp::invalid_params,
-                           fmt::format("{} is a whole number from 1 to {}", what, most)};
-    }
-    return number.get<std::size_t>();
-}
 
 // What a page asks for, in the scene and the light of the studio.
 app::Request request_of(const Options& options, const json& asked) {
     app::Request made = options.request;
-    made.size.width = count_of(asked.at("width"), largest_rendered_side, "a width");
-    made.size.height = count_of(asked.at("height"), largest_rendered_side, "a height");
+    made.size.width = count_of(asked.at("width"), app::max_side, "a width");
+    made.size.height = count_of(asked.at("height"), app::max_side, "a height");
     if (asked.contains("samples")) {
         made.samples = count_of(asked["samples"], most_samples, "a number of samples");
     }

@@ -86,6 +86,14 @@ std::size_t index_of(const json& asked) {
     return asked.get<std::size_t>();
 }
 
+std::size_t count_of(const json& asked, std::size_t most, std::string_view what) {
+    if (!asked.is_number_unsigned() || asked < 1 || asked > most) {
+        throw lsp::Refusal{lsp::invalid_params,
+                           fmt::format("{} is a whole number from 1 to {}", what, most)};
+    }
+    return asked.get<std::size_t>();
+}
+
 void tell_limits(const camera::Range& limits, json& told) {
     if (std::isfinite(limits.minimum)) {
         told["min"] = limits.minimum;

@@ -5,6 +5,7 @@
 // A view in the words of the protocol.
 
 #include <cstddef>
+#include <string_view>
 #include <vector>
 
 #include <nlohmann/json_fwd.hpp>
@@ -20,6 +21,9 @@ namespace balcony::studio {
 [[nodiscard]] live::Drag drag_of(const nlohmann::json& asked);
 [[nodiscard]] Imath::V3d point_of(const nlohmann::json& asked);
 [[nodiscard]] std::size_t index_of(const nlohmann::json& asked);
+/// A number from 1; `what` it is begins the message.
+[[nodiscard]] std::size_t count_of(const nlohmann::json& asked, std::size_t most,
+                                   std::string_view what);
 
 /// Adds the members that limit a number.
 void tell_limits(const camera::Range& limits, nlohmann::json& told);
