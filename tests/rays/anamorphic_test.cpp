@@ -68,15 +68,6 @@ std::optional<V2d> on_sensor(const Prescription& lens, const Line& line, double 
     return V2d(at.y, at.z);
 }
 
-template <class Check>
-void at_points(const Check& check) {
-    for (const double x : {200.0, 120.0, 30.0, 390.0}) {
-        for (const double y : {200.0, 80.0, 370.0}) {
-            check(V2d(x, y));
-        }
-    }
-}
-
 }  // namespace
 
 // The picture has no squeeze: each point is on the sensor where the focal length of its meridian

@@ -93,6 +93,16 @@ inline double lit_part(const LensRaysAt& rays, const V2d& point) {
     return static_cast<double>(passed) / (side * side);
 }
 
+/// Points of the picture, on both axes and beside them.
+template <class Check>
+void at_points(const Check& check) {
+    for (const double x : {200.0, 120.0, 30.0, 310.0}) {
+        for (const double y : {200.0, 90.0, 333.0}) {
+            check(V2d(x, y));
+        }
+    }
+}
+
 /// Points of the square of lens samples, up to 0.9.
 template <class Check>
 void at_lens(const Check& check) {

@@ -66,15 +66,6 @@ V2d on_square(const V2d& disc) {
     return {c * right.x - s * right.y, s * right.x + c * right.y};
 }
 
-template <class Check>
-void at_points(const Check& check) {
-    for (const double x : {200.0, 120.0, 30.0, 310.0}) {
-        for (const double y : {200.0, 90.0, 333.0}) {
-            check(V2d(x, y));
-        }
-    }
-}
-
 }  // namespace
 
 // The sensor is where the paraxial image is; 1e-9 mm is rounding over a dozen surfaces.
