@@ -4,9 +4,10 @@
 
 // Inspect: questions about what a view shows, answered beside it.
 //
-//     view.scene(), view.shown() ─▶ Inspector::show() ─▶ at(), places_of(), render()
+//     view.scene(), view.shown() ─▶ Inspector::show() ─▶ at(), grid(), places_of(), render()
 
 #include <array>
+#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -66,6 +67,11 @@ public:
     /// A point that is not in the picture is an error of Kind::usage.
     [[nodiscard]] Result<std::optional<Sight>> at(const Imath::V2d& point,
                                                   const std::stop_token& stop = {});
+    /// The same for the middles of equal cells of the picture, row by row from the top. The numbers
+    /// of columns and rows are at least 1.
+    [[nodiscard]] Result<std::vector<std::optional<Sight>>> grid(std::size_t columns,
+                                                                 std::size_t rows,
+                                                                 const std::stop_token& stop = {});
     /// All points of the picture that a point of the scene's space appears at, hidden or not, from
     /// left to right. As analyse::Locator finds them.
     [[nodiscard]] Result<std::vector<Appearance>> places_of(const Imath::V3d& point,

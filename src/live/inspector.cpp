@@ -63,32 +63,32 @@ std::string name_in(const std::vector<std::string>& names, std::size_t id) {
 }
 
 // Of the material that covers most of a pixel.
-std::uint32_t main_material(const render::Film& film) {
-    const auto& entries = film.means.materials.front().entries;
+std::uint32_t main_material(const render::Film& film, std::size_t i) {
+    const auto& entries = film.means.materials[i].entries;
     return std::max_element(
                entries.begin(), entries.end(),
                [](const auto& one, const auto& other) { return one.coverage < other.coverage; })
         ->id;
 }
 
-// What a film of one pixel shows.
-std::optional<Sight> sight_of(const render::Film& film) {
+// What a pixel of a film shows, by its index.
+std::optional<Sight> sight_of(const render::Film& film, std::size_t i) {
     const render::DataLayers& data = *film.layers;
-    if (data.valid.front() == 0) {
+    if (data.valid[i] == 0) {
         return std::nullopt;
     }
     const bool has_layers = film.picture_layers.size() > 1;
-    Sight made{.layer = has_layers ? name_in(film.picture_layers, data.layer.front()) : "",
-               .origin = V3d(data.origin.front()),
-               .direction = V3d(data.direction.front()),
-               .parameters = V2d(data.parameters.front())};
-    if (data.object.front() != 0) {
-        made.hit = Sight::Hit{.object = name_in(film.objects, data.object.front()),
-                              .material = name_in(film.materials, main_material(film)),
-                              .distance = data.ray_length.front(),
-                              .point = V3d(data.position.front()),
-                              .normal = V3d(data.normal.front()),
-                              .magnification = data.magnification.front()};
+    Sight made{.layer = has_layers ? name_in(film.picture_layers, data.layer[i]) : "",
+               .origin = V3d(data.origin[i]),
+               .direction = V3d(data.direction[i]),
+               .parameters = V2d(data.parameters[i])};
+    if (data.object[i] != 0) {
+        made.hit = Sight::Hit{.object = name_in(film.objects, data.object[i]),
+                              .material = name_in(film.materials, main_material(film, i)),
+                              .distance = data.ray_length[i],
+                              .point = V3d(data.position[i]),
+                              .normal = V3d(data.normal[i]),
+                              .magnification = data.magnification[i]};
     }
     return made;
 }
@@ -115,7 +115,34 @@ Result<std::optional<Sight>> Inspector::at(const V2d& point, const std::stop_tok
     if (film == nullptr) {
         return has_errors(found) ? found : Diagnostics{stopped()};
     }
-    return sight_of(*film);
+    return sight_of(*film, 0);
+}
+
+// A row of pixels at a time: as many rays as pixels in these rows, of which the columns are taken.
+Result<std::vector<std::optional<Sight>>> Inspector::grid(std::size_t columns, std::size_t rows,
+                                                          const std::stop_token& stop) {
+    if (!state_->shown) {
+        return nothing_is_shown();
+    }
+    LivePicture& picture = state_->camera.picture();
+    const auto [width, height] = picture.size();
+    const auto middle = [](std::size_t cell, std::size_t cells, std::size_t pixels) {
+        return (2 * cell + 1) * pixels / (2 * cells);
+    };
+    std::vector<std::optional<Sight>> made;
+    made.reserve(columns * rows);
+    for (std::size_t row = 0; row < rows; ++row) {
+        Diagnostics found;
+        const render::Film* const film =
+            picture.data(state_->scene, {0, middle(row, rows, height), width, 1}, stop, found);
+        if (film == nullptr) {
+            return has_errors(found) ? found : Diagnostics{stopped()};
+        }
+        for (std::size_t column = 0; column < columns; ++column) {
+            made.push_back(sight_of(*film, middle(column, columns, width)));
+        }
+    }
+    return made;
 }
 
 // The picture with all of its values, none of them open.

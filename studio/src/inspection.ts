@@ -4,9 +4,9 @@
 // What is shown to understand a camera, and when what it is made of is asked for.
 
 import type { Pair } from "./handle_marks";
-import { type Lattice, latticeOf, LatticeSampler } from "./lattice";
+import { type Lattice, latticeFrom, latticeOf } from "./lattice";
 import type { OverlayName } from "./picture_overlays";
-import type { PicturePlace } from "./protocol";
+import type { Seen } from "./protocol";
 
 /** How long the picture is the same before its lattice is asked for. */
 const pause = 250;
@@ -16,16 +16,14 @@ export class Inspection {
     hasSpace = false;
     /** Of the picture that is shown, or of one before. */
     lattice: Lattice | null = null;
-    private readonly sampler: LatticeSampler;
     private known = "";
     private timer = 0;
 
     constructor(
-        at: (place: Pair) => Promise<PicturePlace | null>,
+        /** What stands in the cells of the picture; null if nobody knows. */
+        private readonly grid: (columns: number, rows: number) => Promise<Seen[] | null>,
         private readonly changed: () => void,
-    ) {
-        this.sampler = new LatticeSampler(at);
-    }
+    ) {}
 
     toggle(name: OverlayName): void {
         if (!this.overlays.delete(name)) this.overlays.add(name);
@@ -40,15 +38,17 @@ export class Inspection {
         const wanted = this.overlays.size > 0 || this.hasSpace ? `${change} ${size.join("x")}` : "";
         if (wanted === this.known) return;
         this.known = wanted;
-        this.sampler.stop();
         clearTimeout(this.timer);
         if (wanted !== "") this.timer = window.setTimeout(() => void this.ask(size), pause);
     }
 
     private async ask(size: Pair): Promise<void> {
-        const lattice = await this.sampler.sample(...latticeOf(size), size);
-        if (!lattice) return;
-        this.lattice = lattice;
+        const { known } = this;
+        const [columns, rows] = latticeOf(size);
+        const seen = await this.grid(columns, rows);
+        // Otherwise the picture is another one by now.
+        if (!seen || known !== this.known) return;
+        this.lattice = latticeFrom(seen, columns, rows, size);
         this.changed();
     }
 }

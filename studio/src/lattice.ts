@@ -5,7 +5,7 @@
 // made of it.
 
 import type { Pair } from "./handle_marks";
-import type { PicturePlace } from "./protocol";
+import type { PicturePlace, Seen } from "./protocol";
 
 export interface Lattice {
     columns: number;
@@ -13,36 +13,17 @@ export interface Lattice {
     /** The picture in pixels of its full size. */
     size: Pair;
     /** Row by row from the top. */
-    places: (PicturePlace | null)[];
+    places: PicturePlace[];
 }
 
-/** How many questions are on their way at a time; the server refuses more than 64. */
-const together = 16;
-
-export class LatticeSampler {
-    private newest = 0;
-
-    constructor(private readonly at: (place: Pair) => Promise<PicturePlace | null>) {}
-
-    /** Null if another one was asked for meanwhile. */
-    async sample(columns: number, rows: number, size: Pair): Promise<Lattice | null> {
-        const order = ++this.newest;
-        const places = new Array<PicturePlace | null>(columns * rows).fill(null);
-        let next = 0;
-        const ask = async (): Promise<void> => {
-            while (next < places.length && order === this.newest) {
-                const index = next++;
-                const [column, row] = [index % columns, Math.floor(index / columns)];
-                places[index] = await this.at([((column + 0.5) / columns) * size[0], ((row + 0.5) / rows) * size[1]]);
-            }
-        };
-        await Promise.all(Array.from({ length: together }, ask));
-        return order === this.newest ? { columns, rows, size, places } : null;
-    }
-
-    stop(): void {
-        ++this.newest;
-    }
+/** From the server's answer, which has what stands in the middle of each cell. */
+export function latticeFrom(seen: Seen[], columns: number, rows: number, size: Pair): Lattice {
+    const middle = (index: number): PicturePlace => ({
+        x: (((index % columns) + 0.5) / columns) * size[0],
+        y: ((Math.floor(index / columns) + 0.5) / rows) * size[1],
+        ...seen[index]!,
+    });
+    return { columns, rows, size, places: seen.map((_, index) => middle(index)) };
 }
 
 /** About as many points as the overlays need, in cells that are nearly square. */

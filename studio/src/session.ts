@@ -382,6 +382,15 @@ export class Session implements Listener {
         }
     }
 
+    /** What stands in the middles of equal cells, row by row from the top; null if nobody knows. */
+    async grid(columns: number, rows: number): Promise<Seen[] | null> {
+        try {
+            return (await this.connection.request<{ places: Seen[] }>("view/grid", { columns, rows })).places;
+        } catch {
+            return null; // Of a lost connection, or there is no picture.
+        }
+    }
+
     /** A hand pulls at the picture, and these parameters follow. The number of the change; null without a connection. */
     drag(pulls: Pull[], parameters: string[]): Promise<number | null> {
         if (this.link !== "open") return Promise.resolve(null);

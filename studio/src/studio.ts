@@ -58,7 +58,7 @@ export class BalconyStudio extends LitElement implements Page {
     });
 
     private readonly inspection = new Inspection(
-        (place) => this.session.at(place),
+        (columns, rows) => this.session.grid(columns, rows),
         () => this.changed(),
     );
     /** Where a point that was picked in space appears. */

@@ -122,7 +122,7 @@ function menu(session: Session, theme: Theme, inspection: Inspection, actions: T
                 ${item("format", "Format the text", "Shift+Alt+F", actions.format)}
                 ${item("expose", "Expose for this picture", "", actions.expose)}
                 ${session.can("command") ? item("command", "Copy the command line", "", actions.command) : nothing}
-                ${session.can("view/at") ? overlayChoice(inspection, actions) : nothing}
+                ${session.can("view/grid") ? overlayChoice(inspection, actions) : nothing}
                 <div class="group themes" role="group" aria-label="Colours">
                     <span class="heading">Colours</span>
                     ${themes.map(
@@ -198,7 +198,7 @@ export function toolbar({ session, size, pixels, theme, hasHandles, inspection }
                       Handles
                   </button>`
                 : nothing}
-            ${session.can("view/at")
+            ${session.can("view/grid")
                 ? html`<button
                       id="space"
                       aria-pressed=${inspection.hasSpace}

@@ -25,6 +25,15 @@ class Questions(StudioTest):
         page.wait_for("view/camera", change=change)
         self.assertEqual(page.result("view/at", x=42, y=20)["hit"]["distance"], 8)
 
+    def test_what_stands_in_the_cells_of_a_grid(self):
+        self.open()
+        page = self.shown()
+        places = page.result("view/grid", columns=8, rows=4)["places"]
+        self.assertEqual(len(places), 32)
+        for column, row in ((0, 0), (3, 1), (7, 3)):
+            self.assertEqual(places[8 * row + column],
+                             page.result("view/at", x=8 * column + 4, y=12 * row + 6))
+
     def test_where_nothing_stands(self):
         (self.folder / "my.cam").write_text(CAMERA.replace("[u, v, height]",
                                                            "[u, v, height + sqrt(1 - u)]"))
@@ -52,6 +61,10 @@ class Questions(StudioTest):
         self.open()
         page = self.shown()
         for method, asked in (("view/at", {}), ("view/at", {"x": 1}), ("view/at", {"x": "1", "y": 1}),
+                              ("view/grid", {}), ("view/grid", {"columns": 3}),
+                              ("view/grid", {"columns": 0, "rows": 3}),
+                              ("view/grid", {"columns": 3, "rows": 257}),
+                              ("view/grid", {"columns": 3, "rows": -1}),
                               ("view/find", {}), ("view/find", {"point": [1, 2]}),
                               ("view/find", {"point": "there"})):
             self.assertEqual(page.error(method, **asked)["code"], -32602, (method, asked))
@@ -64,7 +77,8 @@ class Questions(StudioTest):
         self.open(scene="missing.obj")
         page = self.page().begin()
         page.wait_for("studio/scene", state="failed")
-        for method, asked in (("view/at", {"x": 1, "y": 1}), ("view/find", {"point": [1, 2, 3]})):
+        for method, asked in (("view/at", {"x": 1, "y": 1}), ("view/grid", {"columns": 2, "rows": 2}),
+                              ("view/find", {"point": [1, 2, 3]})):
             self.assertIn("no picture is shown yet", page.error(method, **asked)["message"])
 
     def test_many_questions_at_once(self):

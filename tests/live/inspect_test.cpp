@@ -130,6 +130,58 @@ TEST_F(InspectTest, WhereNothingIs) {
     }
 }
 
+void expect_same(const std::optional<Sight>& one, const std::optional<Sight>& other) {
+    ASSERT_EQ(one.has_value(), other.has_value());
+    if (!one) {
+        return;
+    }
+    EXPECT_EQ(one->layer, other->layer);
+    EXPECT_EQ(one->origin, other->origin);
+    EXPECT_EQ(one->direction, other->direction);
+    EXPECT_EQ(one->parameters, other->parameters);
+    ASSERT_EQ(one->hit.has_value(), other->hit.has_value());
+    if (one->hit) {
+        EXPECT_EQ(one->hit->object, other->hit->object);
+        EXPECT_EQ(one->hit->material, other->hit->material);
+        EXPECT_EQ(one->hit->distance, other->hit->distance);
+        EXPECT_EQ(one->hit->point, other->hit->point);
+        EXPECT_EQ(one->hit->normal, other->hit->normal);
+        EXPECT_EQ(one->hit->magnification, other->hit->magnification);
+    }
+}
+
+// Also where the middle of a cell is between two pixels, and for more cells than pixels.
+TEST_F(InspectTest, AGridHasWhatStandsInTheMiddleOfEachCell) {
+    const std::string wide =
+        "camera wide { aspect 4/3 map u = 2 .. -2, v = square eye point(0, 0, 0) "
+        "toward surface(u, v) = [sqrt(3 - u^2), u, v] }";
+    for (const std::string& text : {straight, twice, wide}) {
+        show(text);
+        for (const auto& [columns, rows] :
+             {std::pair<std::size_t, std::size_t>(7, 5), {64, 2}, {100, 1}}) {
+            const auto grid = inspector_->grid(columns, rows);
+            ASSERT_TRUE(grid) << to_text(grid.diagnostics);
+            ASSERT_EQ(grid->size(), columns * rows);
+            for (std::size_t i = 0; i < grid->size(); ++i) {
+                const auto x = static_cast<double>(2 * (i % columns) + 1);
+                const auto y = static_cast<double>(2 * (i / columns) + 1);
+                const auto one = inspector_->at({x * 64 / static_cast<double>(2 * columns),
+                                                 y * 48 / static_cast<double>(2 * rows)});
+                ASSERT_TRUE(one);
+                expect_same((*grid)[i], *one);
+            }
+        }
+    }
+}
+
+TEST_F(InspectTest, AGridIsStopped) {
+    show(straight);
+    std::stop_source source;
+    source.request_stop();
+    EXPECT_EQ(kind_of_errors(inspector_->grid(4, 3, source.get_token()).diagnostics),
+              Kind::interrupted);
+}
+
 TEST_F(InspectTest, FindsAllPlacesOfAPoint) {
     show(twice);
     const V3d on_wall(2, 0.5, 1);
@@ -164,6 +216,7 @@ TEST_F(InspectTest, WithoutACameraThereAreNoAnswers) {
     show(straight);
     EXPECT_TRUE(has_errors(inspector_->show({++change_, "camera {", "", {}, {64, 48}})));
     EXPECT_FALSE(inspector_->at({1, 1}));
+    EXPECT_FALSE(inspector_->grid(2, 2));
     EXPECT_FALSE(inspector_->places_of({1, 1, 1}));
     show(straight);
     EXPECT_TRUE(inspector_->at({1, 1}));

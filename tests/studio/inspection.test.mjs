@@ -58,6 +58,26 @@ test("colours of the scale and of objects have a legend, and only one of them is
     await legend.waitFor({ state: "detached" });
 });
 
+test("a lattice of the picture is one question, and its points are those of the pixels", async () => {
+    const page = await studio.open();
+    const asked = await page.tab.evaluateHandle(() => {
+        const { connection } = document.querySelector("balcony-studio").session;
+        const names = [];
+        const { request } = connection;
+        connection.request = (method, ...more) => (names.push(method), request.call(connection, method, ...more));
+        return names;
+    });
+    await choose(page, "#overlay-grid");
+    await untilLattice(page);
+    assert.deepEqual(await asked.jsonValue(), ["view/grid"]);
+    const [place, seen] = await page.tab.evaluate(async () => {
+        const { inspection, session } = document.querySelector("balcony-studio");
+        const place = inspection.lattice.places.findLast((one) => one.hit);
+        return [place, await session.at([place.x, place.y])];
+    });
+    assert.deepEqual(place, seen);
+});
+
 test("the camera in space is drawn, and a point of it is found in the picture", async () => {
     const page = await studio.open();
     await page.tab.locator("#space").click();

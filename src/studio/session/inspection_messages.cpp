@@ -16,22 +16,11 @@ using nlohmann::json;
 
 namespace {
 
+constexpr std::size_t most_cells = 256;  // Of a grid, in each direction.
+
 json told_of(const Imath::V3d& v) { return {v.x, v.y, v.z}; }
 
-template <class T>
-const T& required(const Result<T>& made) {
-    if (!made) {
-        throw lsp::Refusal{lsp::request_failed, to_text(made.diagnostics)};
-    }
-    return *made;
-}
-
-}  // namespace
-
-json sight_answer(live::Inspector& inspector, const json& asked, const std::stop_token& stop) {
-    const Imath::V2d point{asked.at("x").get<double>(), asked.at("y").get<double>()};
-    const Result<std::optional<live::Sight>> found = inspector.at(point, stop);
-    const std::optional<live::Sight>& sight = required(found);
+json told_of(const std::optional<live::Sight>& sight) {
     if (!sight) {
         return {{"ray", nullptr}, {"hit", nullptr}};
     }
@@ -49,6 +38,32 @@ json sight_answer(live::Inspector& inspector, const json& asked, const std::stop
             {"normal", told_of(sight->hit->normal)}, {"magnification", sight->hit->magnification}};
     }
     return made;
+}
+
+template <class T>
+const T& required(const Result<T>& made) {
+    if (!made) {
+        throw lsp::Refusal{lsp::request_failed, to_text(made.diagnostics)};
+    }
+    return *made;
+}
+
+}  // namespace
+
+json sight_answer(live::Inspector& inspector, const json& asked, const std::stop_token& stop) {
+    const Imath::V2d point{asked.at("x").get<double>(), asked.at("y").get<double>()};
+    return told_of(required(inspector.at(point, stop)));
+}
+
+json grid_answer(live::Inspector& inspector, const json& asked, const std::stop_token& stop) {
+    const std::size_t columns = count_of(asked.at("columns"), most_cells, "a number of columns");
+    const std::size_t rows = count_of(asked.at("rows"), most_cells, "a number of rows");
+    json places = json::array();
+    const auto found = inspector.grid(columns, rows, stop);
+    for (const std::optional<live::Sight>& one : required(found)) {
+        places.push_back(told_of(one));
+    }
+    return {{"places", std::move(places)}};
 }
 
 json places_answer(live::Inspector& inspector, const json& asked, const std::stop_token& stop) {

@@ -16,6 +16,9 @@ namespace balcony::studio {
 /// What stands at a point of the picture.
 [[nodiscard]] nlohmann::json sight_answer(live::Inspector& inspector, const nlohmann::json& asked,
                                           const std::stop_token& stop);
+/// The same in the middles of the cells of a grid.
+[[nodiscard]] nlohmann::json grid_answer(live::Inspector& inspector, const nlohmann::json& asked,
+                                         const std::stop_token& stop);
 /// Where a point of space appears.
 [[nodiscard]] nlohmann::json places_answer(live::Inspector& inspector, const nlohmann::json& asked,
                                            const std::stop_token& stop);

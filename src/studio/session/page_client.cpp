@@ -59,6 +59,7 @@ struct PageClient::PictureRow {
 
 const PageClient::PictureRow PageClient::picture_rows[] = {
     {"view/at", &Studio::inspection, sight_answer},
+    {"view/grid", &Studio::inspection, grid_answer},
     {"view/find", &Studio::search, places_answer},
 };
 
