@@ -193,9 +193,8 @@ void View::State::work(const std::stop_token& stop) {
         share_scene();
     }
     while (!scene) {
-        const auto since = app::FileWatch::Time::clock::now();
-        if (!load(stop) &&
-            !app::wait_for_change({app::FileWatch(scene_files(request), since)}, stop)) {
+        const app::FileWatch watch(scene_files(request));
+        if (!load(stop) && !app::wait_for_change({watch}, stop)) {
             return;
         }
     }

@@ -21,15 +21,18 @@ FileWatch::State FileWatch::state_of(const fs::path& file) {
     return {true, time, size};
 }
 
-FileWatch::FileWatch(const std::vector<fs::path>& files, Time since) {
-    const Time now = Time::clock::now();
+FileWatch::FileWatch(const std::vector<fs::path>& files) {
     for (const fs::path& file : files) {
-        const State state = state_of(file);
-        // A file from the future tells nothing.
-        changed_while_read_ =
-            changed_while_read_ || (state.exists && state.time > since && state.time <= now);
-        states_.emplace(file, state);
+        states_.emplace(file, state_of(file));
     }
+}
+
+FileWatch::FileWatch(const std::vector<fs::path>& files, Time since) : FileWatch(files) {
+    // A file from the future tells nothing.
+    const Time now = Time::clock::now();
+    changed_while_read_ = std::any_of(states_.begin(), states_.end(), [&](const auto& known) {
+        return known.second.exists && known.second.time > since && known.second.time <= now;
+    });
 }
 
 bool FileWatch::has_changed() const {

@@ -16,7 +16,7 @@ public:
     PictureWatch(Request request, const Observer& observer)
         : request_(std::move(request)),
           observer_(observer),
-          environment_(environment_files(request_), FileWatch::Time::clock::now()) {
+          environment_(environment_files(request_)) {
         // A picture that is watched is no job to be continued.
         request_.job.checkpoint_every.reset();
     }
@@ -60,7 +60,7 @@ public:
         }
         loaded().cameras.reload();
         if (environment_.has_changed()) {
-            environment_ = FileWatch(environment_files(request_), FileWatch::Time::clock::now());
+            environment_ = FileWatch(environment_files(request_));
         }
         if (scene_->has_changed()) {
             loaded().renderer.reset();
@@ -91,7 +91,7 @@ private:
             cameras_.emplace(loaded().cameras.files(), start_);
         }
         if (!scene_) {
-            scene_.emplace(scene_files_, reads_scene_ ? start_ : FileWatch::Time::max());
+            scene_ = reads_scene_ ? FileWatch(scene_files_, start_) : FileWatch(scene_files_);
         }
     }
 
