@@ -153,6 +153,15 @@ export class Page {
         );
     }
 
+    /** Waits until the picture has the pixels of its room. */
+    async untilFitted() {
+        await this.until((studio) => {
+            const { pixels } = studio;
+            studio.fit();
+            return studio.pixels === pixels;
+        });
+    }
+
     /** A number that is another one for another picture. */
     pixels() {
         return this.tab.evaluate(() => {

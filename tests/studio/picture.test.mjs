@@ -23,7 +23,8 @@ const studio = serverOf(text);
 async function open() {
     const page = await studio.open();
     await page.tab.locator("#handles").click(); // They would be in the way.
-    await page.tab.waitForTimeout(300); // The picture gets the room that they had.
+    await page.tab.locator("stage-numbers").waitFor({ state: "detached" });
+    await page.untilFitted(); // The picture gets the room that they had.
     await page.untilFollowed();
     page.box = await page.tab.locator("live-picture canvas").boundingBox();
     page.size = await page.tab.evaluate(() => document.querySelector("balcony-studio").pixels);
