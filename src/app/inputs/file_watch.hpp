@@ -18,8 +18,8 @@ public:
 
     /// Files that are read afterwards, or whose present state is known to have been read.
     explicit FileWatch(const std::vector<std::filesystem::path>& files);
-    /// Files that have been read since a time: one that was written meanwhile has changed. The times of
-    /// files are some milliseconds coarser than a clock.
+    /// Files that have been read since a time: one that was written meanwhile has changed. The
+    /// times of files are some milliseconds coarser than a clock.
     FileWatch(const std::vector<std::filesystem::path>& files, Time since);
 
     [[nodiscard]] bool has_changed() const;
