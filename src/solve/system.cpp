@@ -22,6 +22,8 @@ using Eigen::Index;
 using rays::Approach;
 
 constexpr std::size_t pose_size = 6;
+// Of a derivative, as a part of the changes that cancel in it.
+constexpr double rounding = 1e-12;
 
 // A ray as those that see directions only: they start at the origin.
 rays::Ray as_seen(rays::Ray ray, const Mark& mark) {
@@ -214,10 +216,18 @@ std::optional<System::Row> System::row_of_marks(
     for (Index r = 0; r < size; ++r) {
         const Dual& miss = misses[static_cast<std::size_t>(r)];
         row.misses[r] = miss.value;
+        auto by_unknown = row.by_unknown.row(r).array();
+        Eigen::ArrayXd moved = Eigen::ArrayXd::Zero(static_cast<Index>(count_));
         for (std::size_t m = 0; m < about.size(); ++m) {
+            const double by_x = miss.by[2 * m];
+            const double by_y = miss.by[2 * m + 1];
             const auto& by = marks[constraint.marks[about[m]]]->by_unknown;
-            row.by_unknown.row(r) += miss.by[2 * m] * by.row(0) + miss.by[2 * m + 1] * by.row(1);
+            by_unknown += (by_x * by.row(0) + by_y * by.row(1)).array();
+            moved += (std::abs(by_x) + std::abs(by_y)) *
+                     by.cwiseAbs().colwise().maxCoeff().transpose().array();
         }
+        // Otherwise, what no row says of an unknown would determine it.
+        by_unknown = (by_unknown.abs() > rounding * moved.transpose()).select(by_unknown, 0.0);
     }
     return row;
 }

@@ -290,6 +290,27 @@ TEST(Solve, SaysWhatIsNotDetermined) {
               "the constraints do not determine '" + lang::parameter_input("px") + "'");
 }
 
+// Rounding leaves some 1e-16 of the derivatives that cancel: a wall that is level and upright says
+// nothing of the field of view.
+TEST(Solve, WhatCancelsDeterminesNothing) {
+    const lang::OpenCamera camera = aimed_camera({"yaw", "roll", "fov"});
+    Problem problem = problem_of(camera);
+    problem.marks = {
+        {{20, 4, -1.6}}, {{20, -4, -1.6}}, {{20, 4, 4.4}}, {{20, 0, -1.6}}};
+    problem.constraints = {{ConstraintKind::straight, {0, 1, 3}},
+                           {ConstraintKind::level, {0, 1}},
+                           {ConstraintKind::upright, {0, 2}}};
+    const auto solution = solve(camera.camera, width, height, problem);
+    ASSERT_TRUE(solution);
+    EXPECT_TRUE(std::isinf(solution->deviations[2]));
+    EXPECT_LT(solution->deviations[0], 1.0);
+    EXPECT_EQ(first_message(solution),
+              "the constraints do not determine '" + lang::parameter_input("fov") + "'");
+    // What differs by little is known with little certainty.
+    problem.constraints.push_back({ConstraintKind::length, {0, 1}, {}, 300.0, {}, 1e6});
+    EXPECT_LT(solve(camera.camera, width, height, problem)->deviations[2], 1e5);
+}
+
 TEST(Solve, SaysWhatIsDeterminedOnlyTogether) {
     // One position beside the middle of the picture does not tell a turn from a roll.
     const lang::OpenCamera camera = aimed_camera({"yaw", "pitch", "roll"});
