@@ -52,6 +52,12 @@ struct Marks {
         Imath::V3d part{0.0};
         SourceSpan written{};
     };
+    /// A mark that is infinitely far away, in the direction from one mark to another.
+    struct Direction {
+        std::size_t mark = 0;               ///< Its index in the problem.
+        std::array<std::size_t, 2> ends{};  ///< Those of the other two.
+        SourceSpan written{};
+    };
     /// An outline of an object of a scene.
     struct OutlineOfObject {
         std::size_t outline = 0;  ///< Its index in the problem.
@@ -65,6 +71,7 @@ struct Marks {
     std::optional<Axes> axes{};
     std::filesystem::path scene{};  ///< Relative to the folder of the file; empty if there is none.
     std::vector<OnObject> on_objects{};
+    std::vector<Direction> directions{};
     std::vector<OutlineOfObject> outlines_of_objects{};
     /// The parameters to be found; if empty, all that are numbers and not fixed.
     std::optional<std::vector<Parameter>> unknowns{};

@@ -131,6 +131,35 @@ TEST(Marks, MayBeOnObjectsOfAScene) {
     EXPECT_EQ(marks->on_objects[0].part, V3d(0, 1, 0.5));
 }
 
+// A vanishing point is given by an edge, whose ends may follow.
+TEST(Marks, ADirectionIsFromOneMarkToAnother) {
+    const auto marks =
+        read(replaced("{direction: [0, 1, 0], near: [600, 100]}",
+                      "{direction: [door, gable], near: [600, 100]}\n  door: [20, 3, 0]"));
+    ASSERT_TRUE(marks) << to_text(marks.diagnostics);
+    EXPECT_TRUE(marks->problem.marks[1].at_infinity);
+    ASSERT_EQ(marks->directions.size(), 1U);
+    EXPECT_EQ(marks->directions[0].mark, 1U);
+    EXPECT_EQ(marks->directions[0].ends, (std::array<std::size_t, 2>{2, 0}));
+}
+
+TEST(Marks, AShapeMayBeDemandedAllOverABox) {
+    const auto marks =
+        read(replaced("{isotropic: [100, 50]}", "{unfolded: [[100, 50], [500, 450]], value: 0.2}"));
+    ASSERT_TRUE(marks) << to_text(marks.diagnostics);
+    const auto& constraints = marks->problem.constraints;
+    ASSERT_EQ(constraints.size(), 33U);
+    for (const std::size_t i : {5U, 17U, 29U}) {
+        EXPECT_EQ(constraints[i].kind, ConstraintKind::unfolded);
+        EXPECT_EQ(constraints[i].value, 0.2);
+    }
+    EXPECT_EQ(constraints[5].position, V2d(100, 50));
+    EXPECT_EQ(constraints[9].position, V2d(500, 50));
+    EXPECT_EQ(constraints[10].position, V2d(100, 150));
+    EXPECT_EQ(constraints[29].position, V2d(500, 450));
+    EXPECT_EQ(marks->labels[10], "unfolded (100, 150)");
+}
+
 // `whole` with outlines and constraints on them.
 std::string with_outlines(const std::string& outlines, const std::string& constraints) {
     std::string text = replaced("constraints:\n", "outlines:\n" + outlines + "constraints:\n");
@@ -191,12 +220,12 @@ TEST(Marks, MistakesOfOutlinesAreSaidWhereTheyAre) {
         {with_outlines(tent, "  - {touches: tent}\n"), "25:6", "'touches' has no line",
          "add line: [[x, y], [x, y]]"},
         {with_outlines(tent, "  - {touches: tent, line: [[1, 2], [1, 2]]}\n"), "25:27",
-         "this is no line", "write two positions on it: line: [[0, 240], [640, 200]]"},
+         "this is no line", "write two positions on it: [[0, 240], [640, 200]]"},
         {with_outlines(tent, "  - {within: tent, box: [[9, 2], [1, 5]]}\n"), "25:25",
          "this is no box",
-         "write the upper left and the lower right corner: box: [[100, 50], [540, 310]]"},
+         "write the upper left and the lower right corner: [[100, 50], [540, 310]]"},
         {with_outlines(tent, "  - {within: tent, box: [9, 2, 1, 5]}\n"), "25:25", "this is no box",
-         "write the upper left and the lower right corner: box: [[100, 50], [540, 310]]"},
+         "write the upper left and the lower right corner: [[100, 50], [540, 310]]"},
         {with_outlines(tent, "  - {within: tent, line: [[9, 2], [1, 5]]}\n"), "25:20",
          "'within' has no line",
          "remove it; 'within' means that an outline is in a box or, without one, in the picture"},
@@ -230,11 +259,13 @@ origin: pixel_center
 marks:
   gable: {point: [20, 4, -1.6], near: [100, 50]}
   door: [20, 3, 0]
+  edge: {direction: [gable, door]}
 constraints:
   - {at: gable, position: [155, 347], picture: left}
   - {at: gable, position: [10, 20], picture: right}
   - {level: [gable, door], picture: right}
   - {isotropic: [100, 50], picture: right}
+  - {at: edge, position: [30, 40], picture: right}
 boards:
   - columns: 2
     rows: 1
@@ -255,7 +286,7 @@ TEST(Marks, ARigHasPicturesSideBySide) {
     EXPECT_EQ(marks->width, 1280U);
     EXPECT_EQ(marks->height, 480U);
     const auto& [unknowns, targets, all, constraints, outlines] = marks->problem;
-    ASSERT_EQ(constraints.size(), 7U);
+    ASSERT_EQ(constraints.size(), 8U);
     EXPECT_EQ(constraints[0].position, V2d(155.5, 347.5));
     EXPECT_EQ(constraints[1].position, V2d(650.5, 20.5));
     EXPECT_EQ(constraints[3].position, V2d(740.5, 50.5));
@@ -269,13 +300,17 @@ TEST(Marks, ARigHasPicturesSideBySide) {
     EXPECT_EQ(all[0].near, V2d(100.5, 50.5));
     // One without a position is searched from the middle of its picture.
     EXPECT_EQ(all[constraints[2].marks[1]].near, V2d(960.0, 240.0));
+    // The direction of an edge is that of the same edge.
+    ASSERT_EQ(marks->directions.size(), 2U);
+    EXPECT_EQ(marks->directions[1].mark, constraints[4].marks.front());
+    EXPECT_EQ(marks->directions[1].ends, marks->directions[0].ends);
     // A board is one target in all pictures.
     EXPECT_EQ(targets.size(), 1U);
-    EXPECT_EQ(constraints[4].position, V2d(641.5, 2.5));
-    EXPECT_EQ(constraints[6].position, V2d(5.5, 6.5));
-    EXPECT_EQ(all[constraints[6].marks.front()].place, V3d(0.5, 0.0, 0.0));
+    EXPECT_EQ(constraints[5].position, V2d(641.5, 2.5));
+    EXPECT_EQ(constraints[7].position, V2d(5.5, 6.5));
+    EXPECT_EQ(all[constraints[7].marks.front()].place, V3d(0.5, 0.0, 0.0));
     EXPECT_EQ(marks->labels[1], "at gable in right");
-    EXPECT_EQ(marks->labels[4], "corner 1 of board 1 in right");
+    EXPECT_EQ(marks->labels[5], "corner 1 of board 1 in right");
 }
 
 TEST(Marks, MistakesOfRigsAreSaidWhereTheyAre) {
@@ -285,22 +320,22 @@ TEST(Marks, MistakesOfRigsAreSaidWhereTheyAre) {
         {rig_with("size: [640, 480]", "size: [640000, 480]"), "2:1",
          "2 pictures of 640000 pixels side by side are too wide",
          "together they may have 1000000 pixels"},
-        {rig_with("pictures: [left, right]\n", ""), "7:48",
+        {rig_with("pictures: [left, right]\n", ""), "8:48",
          "there is one picture, which has no name", "add pictures: [left, right], or remove it"},
-        {rig_with(", picture: left}", "}"), "8:5",
+        {rig_with(", picture: left}", "}"), "9:5",
          "this row does not say which picture of the rig it is about",
          "add picture: 'left' or 'right'"},
-        {rig_with("picture: left}", "picture: lift}"), "8:48", "there is no picture 'lift'",
+        {rig_with("picture: left}", "picture: lift}"), "9:48", "there is no picture 'lift'",
          "did you mean 'left'?"},
-        {rig_with("{level: [gable, door]", "{inside: door"), "10:6",
+        {rig_with("{level: [gable, door]", "{inside: door"), "11:6",
          "'inside' cannot be about one of several pictures", "demand positions of marks there"},
-        {rig_with("[[3, 4], [5, 6]]", "[[3, 4]]"), "16:44",
+        {rig_with("[[3, 4], [5, 6]]", "[[3, 4]]"), "18:44",
          "board 1 needs columns x rows = 2 corners, but has 1",
          "write the positions of the inner corners row by row, with null for one that is not seen"},
-        {rig_with("    corners: {right: [[1, 2], null], left: [[3, 4], [5, 6]]}\n", ""), "13:5",
+        {rig_with("    corners: {right: [[1, 2], null], left: [[3, 4], [5, 6]]}\n", ""), "15:5",
          "board 1 needs columns x rows = 2 corners, but has 0",
          "write the positions of the inner corners row by row, with null for one that is not seen"},
-        {rig_with("{right: [[1, 2], null], left:", "{rigth: [[1, 2], null], left:"), "16:15",
+        {rig_with("{right: [[1, 2], null], left:", "{rigth: [[1, 2], null], left:"), "18:15",
          "'corners' of board 1 has no entry 'rigth'", "did you mean 'right'?"},
     };
     for (const Mistake& mistake : mistakes) {
@@ -339,6 +374,15 @@ TEST(Marks, EachMistakeIsSaidWhereItIs) {
          "with more about it"},
         {replaced("direction: [0, 1, 0]", "direction: [0, 0, 0]"), "13:3",
          "the direction of the mark 'east' has no length", "write a direction such as [1, 0, 0]"},
+        {replaced("direction: [0, 1, 0]", "direction: [gable, dor]"), "13:29",
+         "there is no mark 'dor'", "the marks are 'gable', 'east' and 'lid'"},
+        {replaced("direction: [0, 1, 0]", "direction: [lid, gable]"), "13:22",
+         "the mark 'lid' is on a target", "write two marks that are points of space"},
+        {replaced("direction: [0, 1, 0]", "direction: [gable, east]"), "13:29",
+         "the mark 'east' is a direction", "write two marks that are points of space"},
+        {replaced("{isotropic: [100, 50]}", "{isotropic: [[100, 50], [90, 60]]}"), "22:17",
+         "this is no box",
+         "write the upper left and the lower right corner: [[100, 50], [540, 310]]"},
         {replaced("{direction: [0, 1, 0], near: [600, 100]}", "{object: vase}"), "13:3",
          "the mark 'east' is on an object of no scene", "add the entry scene: FILE"},
         {replaced("direction: [0, 1, 0], near: [600, 100]", "point: [0, 1, 0], part: [0, 0, 1]"),

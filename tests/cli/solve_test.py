@@ -130,6 +130,21 @@ class Solve(support.CommandTest):
         self.refused("solve", "above.cam", "--with", "marks.yml", code=1,
                      says="'scene.obj' has no object 'top'", helps="did you mean 'tip'?")
 
+    def test_edges_vanish(self):
+        """Edges of the box of the tip along the scene's x axis vanish where that axis does."""
+        text = ("size: [400, 300]\nscene: scene.obj\naxes: z_up\nunknowns: [yaw]\nmarks:\n"
+                "  along: {direction: [left, right]}\n"
+                "  left: {object: tip, part: [-1, 0, 1]}\n  right: {object: tip, part: [1, 0, 1]}\n"
+                "constraints: [{at: along, position: [%.9f, 150]}]\n"
+                % (200 * (1 + math.tan(TURN) / math.tan(math.radians(30)))))
+        document = self.solved(text=text)
+        self.assertEqual(document["diagnostics"], [])
+        self.assertAlmostEqual(math.degrees(document["parameters"][0]["value"]), 20, 6)
+        (self.folder / "marks.yml").write_text(text.replace("[1, 0, 1]", "[-1, 0, 1]"))
+        self.refused("solve", "photo.cam", "--with", "marks.yml", code=1,
+                     says="the marks 'left' and 'right' are at one place",
+                     helps="write two marks that are apart")
+
     def test_numbers_that_a_lens_is_made_of(self):
         """Those of OpenCV's models cannot be inputs; the corners are exact."""
         (self.folder / "lens.cam").write_text(

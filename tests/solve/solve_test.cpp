@@ -295,8 +295,7 @@ TEST(Solve, SaysWhatIsNotDetermined) {
 TEST(Solve, WhatCancelsDeterminesNothing) {
     const lang::OpenCamera camera = aimed_camera({"yaw", "roll", "fov"});
     Problem problem = problem_of(camera);
-    problem.marks = {
-        {{20, 4, -1.6}}, {{20, -4, -1.6}}, {{20, 4, 4.4}}, {{20, 0, -1.6}}};
+    problem.marks = {{{20, 4, -1.6}}, {{20, -4, -1.6}}, {{20, 4, 4.4}}, {{20, 0, -1.6}}};
     problem.constraints = {{ConstraintKind::straight, {0, 1, 3}},
                            {ConstraintKind::level, {0, 1}},
                            {ConstraintKind::upright, {0, 2}}};

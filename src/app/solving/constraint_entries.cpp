@@ -72,7 +72,7 @@ void read_measure(const std::vector<YamlEntry>& entries, YamlEntries& yaml, Cons
     }
 }
 
-std::optional<std::pair<Constraint, std::string>> ConstraintReader::read(
+std::vector<std::pair<Constraint, std::string>> ConstraintReader::read(
     const YAML::Node& row) const {
     std::vector<std::string> known = names_of_kinds();
     known.insert(known.end(), {"position", "value", "distance", "box", "line", "deviation",
@@ -88,7 +88,7 @@ std::optional<std::pair<Constraint, std::string>> ConstraintReader::read(
                 one.written,
                 fmt::format("a constraint is not both '{}' and '{}'", kind_entry->name, one.name),
                 "write two rows");
-            return std::nullopt;
+            return {};
         }
         kind_entry = &one;
     }
@@ -97,7 +97,7 @@ std::optional<std::pair<Constraint, std::string>> ConstraintReader::read(
             yaml_.error(yaml_.at(row), "this constraint does not say what it demands",
                         fmt::format("begin it with one of {}", one_of(names_of_kinds())));
         }
-        return std::nullopt;
+        return {};
     }
     const ConstraintKindInfo& kind = *kind_named(kind_entry->name);
     const std::size_t before = yaml_.found().size();
@@ -107,9 +107,19 @@ std::optional<std::pair<Constraint, std::string>> ConstraintReader::read(
     std::string label(kind.name);
     subject(*kind_entry, kind, made, label);
     details(entries, kind, made);
-    return yaml_.found().size() == before
-               ? std::optional(std::pair(std::move(made), std::move(label)))
-               : std::nullopt;
+    std::vector<std::pair<Constraint, std::string>> rows;
+    if (is_of_position(kind)) {
+        for (const V2d& at : positions(*kind_entry)) {
+            rows.emplace_back(made, fmt::format("{} ({:g}, {:g})", label, at.x, at.y));
+            rows.back().first.position = at;
+        }
+    } else {
+        rows.emplace_back(std::move(made), std::move(label));
+    }
+    if (yaml_.found().size() != before) {
+        rows.clear();
+    }
+    return rows;
 }
 
 std::optional<V2d> ConstraintReader::position(const YAML::Node& node) const {
@@ -146,7 +156,7 @@ std::optional<std::size_t> ConstraintReader::index_of(const YAML::Node& node, bo
     return yaml_.index_of(node, meant, is_outline ? "outline" : "mark");
 }
 
-// The marks of a constraint, its outline or its position.
+// The marks of a constraint, or its outline.
 void ConstraintReader::subject(const YamlEntry& entry, const ConstraintKindInfo& kind,
                                Constraint& made, std::string& label) const {
     if (kind.is_of_outline) {
@@ -155,8 +165,6 @@ void ConstraintReader::subject(const YamlEntry& entry, const ConstraintKindInfo&
         return;
     }
     if (kind.marks == 0) {
-        made.position = position(entry.value).value_or(V2d(0.0));
-        label += fmt::format(" ({:g}, {:g})", made.position.x, made.position.y);
         return;
     }
     const std::vector<YAML::Node> named = yaml_.list(entry.value);
@@ -175,28 +183,43 @@ void ConstraintReader::subject(const YamlEntry& entry, const ConstraintKindInfo&
     }
 }
 
-// Two corners of a box, or two points of a line.
-void ConstraintReader::corners(const YamlEntry& entry, const ConstraintKindInfo& kind,
-                               Constraint& made) const {
-    const bool is_box = kind.corners == "box";
+// Where a shape is measured: at a position, or all over a box.
+std::vector<V2d> ConstraintReader::positions(const YamlEntry& entry) const {
+    constexpr int across = 5;
+    if (!(entry.value.IsSequence() && entry.value.size() > 0 && entry.value[0].IsSequence())) {
+        return {position(entry.value).value_or(V2d(0.0))};
+    }
+    const auto box = corners(entry.value, "box");
+    std::vector<V2d> made;
+    for (int i = 0; box && i < across * across; ++i) {
+        const V2d part = V2d(i % across, i / across) / (across - 1.0);
+        made.push_back((*box)[0] + part * ((*box)[1] - (*box)[0]));
+    }
+    return made;
+}
+
+// The upper left and the lower right corner of a "box", or two points of a "line".
+std::optional<std::array<V2d, 2>> ConstraintReader::corners(const YAML::Node& node,
+                                                            std::string_view what) const {
+    const bool is_box = what == "box";
     const std::string how =
-        is_box ? "write the upper left and the lower right corner: box: [[100, 50], [540, 310]]"
-               : "write two positions on it: line: [[0, 240], [640, 200]]";
-    const std::vector<YAML::Node> two = yaml_.list(entry.value);
-    if (!entry.value.IsSequence() || two.size() != 2) {
-        yaml_.error(yaml_.at(entry.value), fmt::format("this is no {}", kind.corners), how);
-        return;
+        is_box ? "write the upper left and the lower right corner: [[100, 50], [540, 310]]"
+               : "write two positions on it: [[0, 240], [640, 200]]";
+    const std::vector<YAML::Node> two = yaml_.list(node);
+    if (!node.IsSequence() || two.size() != 2) {
+        yaml_.error(yaml_.at(node), fmt::format("this is no {}", what), how);
+        return std::nullopt;
     }
     const std::optional<V2d> first = position(two[0]);
     const std::optional<V2d> last = position(two[1]);
-    if (first && last) {
-        made.corners = {*first, *last};
-        const bool is_empty =
-            is_box ? !(first->x < last->x && first->y < last->y) : *first == *last;
-        if (is_empty) {
-            yaml_.error(yaml_.at(entry.value), fmt::format("this is no {}", kind.corners), how);
-        }
+    if (!first || !last) {
+        return std::nullopt;
     }
+    const bool is_empty = is_box ? !(first->x < last->x && first->y < last->y) : *first == *last;
+    if (is_empty) {
+        yaml_.error(yaml_.at(node), fmt::format("this is no {}", what), how);
+    }
+    return std::array{*first, *last};
 }
 
 void ConstraintReader::details(const std::vector<YamlEntry>& entries,
@@ -219,7 +242,7 @@ void ConstraintReader::details(const std::vector<YamlEntry>& entries,
             made.value = yaml_.plain_number(one.value, "write a number").value_or(0.0);
             has_value = true;
         } else if ((one.name == "box" || one.name == "line") && only_of(one.name == kind.corners)) {
-            corners(one, kind, made);
+            made.corners = corners(one.value, kind.corners);
             has_corners = true;
         } else if (one.name == "distance" && only_of(is_of_position(kind))) {
             made.distance = yaml_.positive(one);

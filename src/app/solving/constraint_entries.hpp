@@ -4,6 +4,7 @@
 
 // What a file of marks demands of the picture.
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -30,8 +31,8 @@ public:
                      const std::vector<std::string>& outlines, const solve::V2d& from_corner)
         : yaml_(yaml), marks_(marks), outlines_(outlines), from_corner_(from_corner) {}
 
-    /// With what reports call it; nothing after a mistake.
-    [[nodiscard]] std::optional<std::pair<solve::Constraint, std::string>> read(
+    /// With what reports call each: one, or those of a shape all over a box. None after a mistake.
+    [[nodiscard]] std::vector<std::pair<solve::Constraint, std::string>> read(
         const YAML::Node& row) const;
 
 private:
@@ -41,8 +42,9 @@ private:
                  solve::Constraint& made, std::string& label) const;
     std::optional<std::size_t> index_of(const YAML::Node& node, bool is_outline,
                                         const solve::ConstraintKindInfo& kind) const;
-    void corners(const YamlEntry& entry, const solve::ConstraintKindInfo& kind,
-                 solve::Constraint& made) const;
+    std::vector<solve::V2d> positions(const YamlEntry& entry) const;
+    std::optional<std::array<solve::V2d, 2>> corners(const YAML::Node& node,
+                                                     std::string_view what) const;
     void details(const std::vector<YamlEntry>& entries, const solve::ConstraintKindInfo& kind,
                  solve::Constraint& made) const;
 

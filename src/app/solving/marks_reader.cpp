@@ -198,6 +198,29 @@ private:
             marks_.push_back(one.name);
             made_.problem.marks.push_back(std::move(mark));
         }
+        for (const auto& [mark, ends] : directions_) {
+            direction(mark, ends);
+        }
+    }
+
+    void direction(std::size_t mark, const YAML::Node& ends) {
+        Marks::Direction made{mark, {}, yaml_.at(ends)};
+        for (std::size_t i = 0; i < made.ends.size(); ++i) {
+            const auto end = yaml_.index_of(ends[i], marks_, "mark");
+            if (!end) {
+                return;
+            }
+            made.ends[i] = *end;
+            const Mark& point = made_.problem.marks[*end];
+            if (point.at_infinity || point.target) {
+                yaml_.error(yaml_.at(ends[i]),
+                            fmt::format("the mark '{}' is {}", point.name,
+                                        point.at_infinity ? "a direction" : "on a target"),
+                            "write two marks that are points of space");
+                return;
+            }
+        }
+        made_.directions.push_back(made);
     }
 
     void place(const YamlEntry& entry, Mark& mark) {
@@ -216,6 +239,11 @@ private:
             } else if (one.name == "object") {
                 ++places;
                 on.object = yaml_.word(one.value, "write the name of an object").value_or("");
+            } else if (one.name == "direction" && one.value.IsSequence() && one.value.size() == 2) {
+                ++places;
+                mark.at_infinity = true;
+                mark.place = V3d(1.0);
+                directions_.emplace_back(made_.problem.marks.size(), one.value);
             } else {
                 ++places;
                 mark.at_infinity = one.name == "direction";
@@ -322,9 +350,11 @@ private:
             return;
         }
         const V2d from_corner = from_corner_ + pictures_.corner_of(*picture);
-        auto read = ConstraintReader(yaml_, marks_, outlines_, from_corner).read(row);
-        if (read && pictures_.show(read->first, *picture)) {
-            add(std::move(read->first), read->second + pictures_.words_for(*picture));
+        const ConstraintReader reader(yaml_, marks_, outlines_, from_corner);
+        for (auto& [constraint, label] : reader.read(row)) {
+            if (pictures_.show(constraint, *picture)) {
+                add(std::move(constraint), label + pictures_.words_for(*picture));
+            }
         }
     }
 
@@ -426,7 +456,9 @@ private:
     YamlEntries yaml_;
     Marks made_;
     RigPictures pictures_{yaml_, made_};
-    std::vector<std::string> marks_;    ///< Names, by index.
+    std::vector<std::string> marks_;  ///< Names, by index.
+    /// Marks in the direction from one mark to another, which may follow.
+    std::vector<std::pair<std::size_t, YAML::Node>> directions_;
     std::vector<std::string> targets_;  ///< The same.
     std::vector<std::string> outlines_;
     V2d from_corner_{0.0};  ///< Of the position [0, 0].

@@ -75,4 +75,20 @@ Diagnostics place_on_objects(Marks& marks, const std::filesystem::path& file,
     return found;
 }
 
+Diagnostics place_directions(Marks& marks) {
+    Diagnostics found;
+    for (const Marks::Direction& one : marks.directions) {
+        const solve::Mark& from = marks.problem.marks[one.ends[0]];
+        const solve::Mark& to = marks.problem.marks[one.ends[1]];
+        V3d& direction = marks.problem.marks[one.mark].place;
+        direction = to.place - from.place;
+        if (!(direction.length2() > 0.0)) {
+            found.push_back(
+                error(fmt::format("the marks '{}' and '{}' are at one place", from.name, to.name),
+                      one.written, "write two marks that are apart"));
+        }
+    }
+    return found;
+}
+
 }  // namespace balcony::app

@@ -17,4 +17,7 @@ namespace balcony::app {
 [[nodiscard]] Diagnostics place_on_objects(Marks& marks, const std::filesystem::path& scene,
                                            const std::stop_token& stop);
 
+/// Gives the marks in the direction from one mark to another theirs, once those have places.
+[[nodiscard]] Diagnostics place_directions(Marks& marks);
+
 }  // namespace balcony::app

@@ -17,6 +17,22 @@ using solve::ConstraintKind;
 using solve::Mark;
 using solve::V2d;
 
+namespace {
+
+// What is said of a mark, of another one too.
+template <class Row>
+void copy_row(std::vector<Row>& rows, std::size_t mark, std::size_t other) {
+    const auto found =
+        std::find_if(rows.begin(), rows.end(), [mark](const Row& one) { return one.mark == mark; });
+    if (found != rows.end()) {
+        Row same = *found;
+        same.mark = other;
+        rows.push_back(std::move(same));
+    }
+}
+
+}  // namespace
+
 void RigPictures::read(const YamlEntry& entry) {
     constexpr std::string_view remedy =
         "name the pictures of a rig from left to right: [left, right]";
@@ -98,13 +114,8 @@ std::size_t RigPictures::shown_in(std::size_t mark, std::size_t picture) {
         copy.near.reset();
         copy.name += words_for(picture);
         marks_.problem.marks.push_back(std::move(copy));
-        const auto is_original = [mark](const Marks::OnObject& one) { return one.mark == mark; };
-        const auto& all = marks_.on_objects;
-        if (const auto on = std::find_if(all.begin(), all.end(), is_original); on != all.end()) {
-            Marks::OnObject same = *on;
-            same.mark = found->second;
-            marks_.on_objects.push_back(std::move(same));
-        }
+        copy_row(marks_.on_objects, mark, found->second);
+        copy_row(marks_.directions, mark, found->second);
     }
     return found->second;
 }

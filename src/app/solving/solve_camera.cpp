@@ -169,7 +169,7 @@ Result<SolveReport> solve_camera(const SolveRequest& request, const std::stop_to
         return found;
     }
     const fs::path scene = scene_of(*marks, request.marks.parent_path());
-    if (add(found, place_on_objects(*marks, scene, stop))) {
+    if (add(found, place_on_objects(*marks, scene, stop)) || add(found, place_directions(*marks))) {
         return found;
     }
     lang::Workspace workspace;
