@@ -23,6 +23,9 @@ constexpr DrawingColor mark_color{20, 80, 200};
 constexpr DrawingColor miss_color{210, 30, 30};
 constexpr DrawingColor tint{255, 150, 0};
 constexpr DrawingColor text_color{40, 40, 40};
+constexpr DrawingColor plate_color{255, 255, 255};
+constexpr double note_size = 12.0;    // In thousandths of the longer side, like
+constexpr double note_height = 20.0;  // this, from line to line.
 
 // The largest of 1, 2, 5, 10, ... that is not above a number.
 double round_below(double number) {
@@ -46,6 +49,7 @@ public:
         add_misses();
         add_marks();
         add_outlines();
+        add_plate();
         return std::move(made_);
     }
 
@@ -153,17 +157,38 @@ private:
     }
 
     void note(std::string text) {
-        const double row = static_cast<double>(made_.labels.size()) + 1.0;
+        longest_note_ = std::max(longest_note_, text.size());
+        const double above = static_cast<double>(notes_++) * note_height;
         made_.labels.push_back(
             {std::move(text),
-             {10.0 * unit_, static_cast<double>(made_.height) - row * 20.0 * unit_ + 8.0 * unit_},
-             12.0 * unit_,
-             text_color});
+             {10.0 * unit_, static_cast<double>(made_.height) - (above + 12.0) * unit_},
+             note_size * unit_,
+             text_color,
+             true});
+    }
+
+    /// Behind the notes, over all else.
+    void add_plate() {
+        if (notes_ == 0) {
+            return;
+        }
+        constexpr double letter = 6.0 / 7.0;  // Of a size, as DrawingLabel has it.
+        const V2d foot(0.0, static_cast<double>(made_.height));
+        const V2d size = unit_ * V2d(20.0 + static_cast<double>(longest_note_) * letter * note_size,
+                                     12.0 + static_cast<double>(notes_) * note_height);
+        made_.shapes.push_back(
+            {DrawingPart::frame,
+             {foot, foot - V2d(0.0, size.y), foot + V2d(size.x, -size.y), foot + V2d(size.x, 0.0)},
+             plate_color,
+             0.0,
+             0.85});
     }
 
     const SolveReport& report_;
     double unit_;  ///< A thousandth of the longer side.
     Drawing made_;
+    std::size_t notes_ = 0;
+    std::size_t longest_note_ = 0;  ///< In letters.
 };
 
 }  // namespace
