@@ -16,6 +16,7 @@
 #include <string_view>
 #include <vector>
 
+#include <Imath/ImathBox.h>
 #include <Imath/ImathVec.h>
 
 #include "balcony/base.hpp"
@@ -47,6 +48,9 @@ struct SampleGrid {
     [[nodiscard]] V2d first() const;
     /// The position of the sample with an index (row by row).
     [[nodiscard]] V2d at(std::size_t index) const;
+    /// The cells of samples, in rising order, joined to boxes that do not overlap. Cells at the
+    /// borders reach to the end of the picture.
+    [[nodiscard]] std::vector<Imath::Box2d> cells_of(const std::vector<std::size_t>& samples) const;
 };
 
 struct DiagnoseSettings {
@@ -97,6 +101,8 @@ struct Finding {
         other;            ///< Another position with the same ray, or on the other side of a fold.
     std::string message;  ///< A message like that of a Diagnostic.
     std::string remedy;
+    /// Those of CameraReport::samples in the regions, or on both sides of the lines; rising.
+    std::vector<std::size_t> samples{};
 };
 
 struct Sample {

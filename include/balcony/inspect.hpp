@@ -4,7 +4,8 @@
 
 // Inspect: questions about what a view shows, answered beside it.
 //
-//     view.scene(), view.shown() ─▶ Inspector::show() ─▶ at(), grid(), places_of(), render()
+//     view.scene(), view.shown() ─▶ Inspector::show() ─▶ at(), grid(), places_of(), check(),
+//     render()
 
 #include <array>
 #include <cstddef>
@@ -15,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include <Imath/ImathBox.h>
 #include <Imath/ImathVec.h>
 
 #include "balcony/base.hpp"
@@ -36,6 +38,12 @@ struct Sight {
         Imath::V3d point{0.0};
         Imath::V3d normal{0.0};      ///< Of unit length, towards the ray's side.
         double magnification = 0.0;  ///< As render::DataLayers::magnification.
+        /// How long a step of (dx, dy) pixels is there across the ray, in scene units: its square
+        /// is xx dx² + 2 xy dx dy + yy dy². By exact derivatives; unknown for rays that bend.
+        struct Metric {
+            double xx = 0.0, xy = 0.0, yy = 0.0;
+        };
+        std::optional<Metric> metric{};
     };
     std::optional<Hit> hit{};  ///< Nothing where the ray meets nothing.
 };
@@ -48,6 +56,18 @@ struct Appearance {
     double distance = 0.0;     ///< Along the ray, in scene units.
     /// The object that hides the point from this ray, if one does.
     std::optional<std::string> hidden_by{};
+};
+
+/// What app::check() finds about a camera of a picture and its scene.
+struct Remark {
+    std::string camera{};  ///< As app::CameraCheck::title(); empty if the picture is one camera.
+    bool defect = false;   ///< Otherwise it is worth knowing, but may well be wanted.
+    std::string message{};
+    std::string remedy{};  ///< May be empty.
+    /// Where that is in the picture, in pixels: boxes that do not overlap, and an example. Nothing
+    /// if it is about no place, or about a layer, whose camera has a picture of its own.
+    std::vector<Imath::Box2d> areas{};
+    std::optional<Imath::V2d> example{};
 };
 
 /// Belongs to one thread, which need not be that of the view.
@@ -76,6 +96,8 @@ public:
     /// left to right. As analyse::Locator finds them.
     [[nodiscard]] Result<std::vector<Appearance>> places_of(const Imath::V3d& point,
                                                             const std::stop_token& stop = {});
+    /// What is wrong with the cameras of the picture, or worth knowing, defects first.
+    [[nodiscard]] Result<std::vector<Remark>> check(const std::stop_token& stop = {});
 
     /// Renders what is shown, in a size and a quality of a request, as
     /// app::PreparedScene::render().

@@ -20,6 +20,7 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "balcony/animation.hpp"
@@ -94,6 +95,16 @@ struct CameraCheck {
             render::SurfaceScale surface{};
         };
         std::optional<Scale> scale{};
+
+        /// Something about the rays and the objects of the scene.
+        struct Finding {
+            std::string_view name;  ///< In some words.
+            bool defect = false;
+            std::string message;
+            std::string remedy;                ///< May be empty.
+            std::optional<analyse::V2d> at{};  ///< An example in the picture, in pixels.
+        };
+        [[nodiscard]] std::vector<Finding> findings() const;
     };
     std::optional<InScene> in_scene{};
     std::vector<std::filesystem::path> maps{};  ///< The files that were written.
@@ -128,6 +139,11 @@ struct CheckObserver {
 /// Checks files and their cameras. Errors of Kind::usage come before anything is checked.
 [[nodiscard]] CheckReport check(const CheckRequest& request, const CheckObserver& observer = {},
                                 const std::stop_token& stop = {});
+/// Checks the cameras of a picture of a size in pixels in a scene, at the time of its settings.
+[[nodiscard]] Result<std::vector<CameraCheck>> check(const camera::Picture& picture,
+                                                     const PreparedScene& scene,
+                                                     const std::array<std::size_t, 2>& size,
+                                                     const std::stop_token& stop = {});
 
 // -------------------------------------------------------------------------------------- locate
 

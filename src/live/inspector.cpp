@@ -10,6 +10,7 @@
 #include "balcony/progress.hpp"
 #include "balcony/studies.hpp"
 #include "live/followed_picture.hpp"
+#include "live/remarks.hpp"
 
 namespace balcony::live {
 
@@ -23,6 +24,8 @@ struct Inspector::State {
     std::optional<Shown> shown{};
     std::optional<app::LocateSession> places{};  ///< Of what is shown, when it was asked for.
 
+    [[nodiscard]] std::optional<Sight> sight(const render::Film& film, std::size_t i,
+                                             const std::stop_token& stop);
     [[nodiscard]] Result<lang::OpenPicture> closed_picture(const std::stop_token& stop);
     [[nodiscard]] Diagnostics make_places(const std::stop_token& stop);
 };
@@ -95,6 +98,19 @@ std::optional<Sight> sight_of(const render::Film& film, std::size_t i) {
 
 }  // namespace
 
+// With the metric of a film of one row of pixels.
+std::optional<Sight> Inspector::State::sight(const render::Film& film, std::size_t i,
+                                             const std::stop_token& stop) {
+    std::optional<Sight> made = sight_of(film, i);
+    if (made && made->hit) {
+        const V2d middle(static_cast<double>(film.window.x + i) + 0.5,
+                         static_cast<double>(film.window.y) + 0.5);
+        made->hit->metric = camera.picture().metric(scene, film.layers->layer[i] - 1U, middle,
+                                                    made->hit->distance, stop);
+    }
+    return made;
+}
+
 Result<std::optional<Sight>> Inspector::at(const V2d& point, const std::stop_token& stop) {
     if (!state_->shown) {
         return nothing_is_shown();
@@ -115,7 +131,7 @@ Result<std::optional<Sight>> Inspector::at(const V2d& point, const std::stop_tok
     if (film == nullptr) {
         return has_errors(found) ? found : Diagnostics{stopped()};
     }
-    return sight_of(*film, 0);
+    return state_->sight(*film, 0, stop);
 }
 
 // A row of pixels at a time: as many rays as pixels in these rows, of which the columns are taken.
@@ -139,7 +155,7 @@ Result<std::vector<std::optional<Sight>>> Inspector::grid(std::size_t columns, s
             return has_errors(found) ? found : Diagnostics{stopped()};
         }
         for (std::size_t column = 0; column < columns; ++column) {
-            made.push_back(sight_of(*film, middle(column, columns, width)));
+            made.push_back(state_->sight(*film, middle(column, columns, width), stop));
         }
     }
     return made;
@@ -190,6 +206,28 @@ Result<std::vector<Appearance>> Inspector::places_of(const V3d& point,
         made.push_back(std::move(place));
     }
     return {std::move(made), located.diagnostics};
+}
+
+Result<std::vector<Remark>> Inspector::check(const std::stop_token& stop) {
+    if (!state_->shown) {
+        return nothing_is_shown();
+    }
+    const Result<lang::OpenPicture> picture = state_->closed_picture(stop);
+    if (!picture) {
+        return picture.diagnostics;
+    }
+    const auto checks = app::check(picture->picture, state_->scene, state_->shown->size, stop);
+    if (!checks) {
+        return checks.diagnostics;
+    }
+    std::vector<Remark> made;
+    for (const app::CameraCheck& one : *checks) {
+        add_remarks(one, made);
+    }
+    std::stable_sort(made.begin(), made.end(), [](const Remark& one, const Remark& other) {
+        return one.defect && !other.defect;
+    });
+    return made;
 }
 
 app::Report Inspector::render(const app::Request& request, const app::Observer& observer,

@@ -166,6 +166,16 @@ const render::Film* LivePicture::data(const app::PreparedScene& scene, const ren
     return is_made && data_.run(1, stop, found) ? &data_.film() : nullptr;
 }
 
+std::optional<PixelMetrics::Metric> LivePicture::metric(const app::PreparedScene& scene,
+                                                        std::size_t layer, const Imath::V2d& point,
+                                                        double distance,
+                                                        const std::stop_token& stop) {
+    if (!metrics_ || kind_of_errors(metrics_->diagnostics) == Kind::interrupted) {
+        metrics_ = PixelMetrics::make(opened_, size_, scene.settings().time, stop);
+    }
+    return *metrics_ ? (*metrics_)->at(layer, point, distance, inputs_) : std::nullopt;
+}
+
 const render::Film* LivePicture::paths(const app::PreparedScene& scene, std::size_t samples,
                                        bool will_denoise, const std::stop_token& stop,
                                        Diagnostics& found) {

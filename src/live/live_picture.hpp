@@ -14,6 +14,7 @@
 #include "balcony/live.hpp"
 #include "balcony/prepared_scene.hpp"
 #include "balcony/render.hpp"
+#include "live/pixel_metrics.hpp"
 
 namespace balcony::live {
 
@@ -76,6 +77,13 @@ public:
     [[nodiscard]] const render::Film* data(const app::PreparedScene& scene,
                                            const render::Region& window,
                                            const std::stop_token& stop, Diagnostics& found);
+    /// The metric at a distance along the ray through a point, in a layer by its number from the
+    /// back; nothing if it is not known.
+    [[nodiscard]] std::optional<PixelMetrics::Metric> metric(const app::PreparedScene& scene,
+                                                             std::size_t layer,
+                                                             const Imath::V2d& point,
+                                                             double distance,
+                                                             const std::stop_token& stop);
 
 private:
     [[nodiscard]] render::Settings with_inputs(render::Settings settings) const;
@@ -90,6 +98,7 @@ private:
     MovingJob data_;
     std::optional<Dragger> dragger_;  ///< Of the layer that was dragged last.
     std::size_t dragged_layer_ = 0;
+    std::optional<Result<PixelMetrics>> metrics_;
 };
 
 }  // namespace balcony::live

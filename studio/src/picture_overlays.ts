@@ -2,18 +2,29 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // What is drawn over the picture to understand its camera: lines of equal u and v, the scale, the objects,
-// the horizon.
+// the horizon, circles as the camera shows them, and what check finds.
 
 import { html, LitElement, nothing, svg } from "lit";
 import type { Pair } from "./handle_marks";
+import { drawn, ellipsesOn } from "./ellipses";
 import { contour, type Lattice, levelsOf } from "./lattice";
 import { numberText } from "./parameter_range";
-import type { PicturePlace } from "./protocol";
+import type { PicturePlace, Remark } from "./protocol";
+import { remarkAreas } from "./remarks";
 
-export const overlayNames = ["grid", "scale", "objects", "horizon"] as const;
+export const overlayNames = ["grid", "scale", "objects", "horizon", "ellipses", "findings"] as const;
 export type OverlayName = (typeof overlayNames)[number];
 
 type Colour = [number, number, number];
+
+/** An entry of the legend; without a colour, it is about lines. */
+interface Key {
+    colour: Colour | null;
+    words: string;
+}
+
+/** Of an entry of the legend, in pixels; picture.css has them, too. */
+const keySize: Pair = [170, 18];
 
 /** Dark blue, where a unit of the scene is small, over grey to yellow, where it is large. */
 export function scaleColour(part: number): Colour {
@@ -37,12 +48,20 @@ export class PictureOverlays extends LitElement {
         shown: { attribute: false },
         isAngle: { attribute: false },
         up: { attribute: false },
+        remarks: { attribute: false },
+        chosen: { attribute: false },
+        pixels: { attribute: false },
     };
     declare lattice: Lattice | null;
     declare shown: ReadonlySet<OverlayName>;
     declare isAngle: [boolean, boolean];
     /** The vertical axis of the scene; null if nobody knows. */
     declare up: [number, number, number] | null;
+    declare remarks: Remark[] | null;
+    /** The remark that is pointed at, by its index. */
+    declare chosen: number | null;
+    /** Of the picture in its full size. */
+    declare pixels: Pair;
 
     constructor() {
         super();
@@ -50,6 +69,9 @@ export class PictureOverlays extends LitElement {
         this.shown = new Set();
         this.isAngle = [false, false];
         this.up = null;
+        this.remarks = null;
+        this.chosen = null;
+        this.pixels = [1, 1];
     }
 
     override createRenderRoot() {
@@ -96,7 +118,7 @@ export class PictureOverlays extends LitElement {
     }
 
     /** Of each point of the lattice, and what they mean. */
-    private colours(): { colours: (Colour | null)[]; legend: { colour: Colour; words: string }[]; isSmooth: boolean } | null {
+    private colours(): { colours: (Colour | null)[]; legend: Key[]; isSmooth: boolean } | null {
         const { places } = this.lattice!;
         if (this.shown.has("scale")) {
             const logs = places.map((one) => (one?.hit && one.hit.magnification > 0 ? Math.log(one.hit.magnification) : null));
@@ -126,7 +148,26 @@ export class PictureOverlays extends LitElement {
         };
     }
 
+    /** As many as the picture has room for, in columns of so many rows. */
+    private legend(keys: Key[]) {
+        const [columns, rows] = [this.clientWidth, this.clientHeight].map((side, axis) =>
+            Math.max(1, Math.floor((side - 36) / keySize[axis]!)),
+        ) as Pair;
+        const shown = keys.length > columns * rows ? keys.slice(0, columns * rows) : keys;
+        return html`<ul class="legend" data-rows=${Math.min(rows, shown.length)} aria-label="Legend">
+            ${shown.map(
+                ({ colour, words }) =>
+                    html`<li class=${colour ? "coloured" : ""} title=${words}>${colour ? html`<i data-colour=${colour.join(" ")}></i>` : nothing}${words}</li>`,
+            )}
+        </ul>`;
+    }
+
     override updated(): void {
+        const legend = this.querySelector<HTMLElement>(".legend");
+        if (legend) legend.style.gridTemplateRows = `repeat(${legend.dataset.rows}, ${keySize[1]}px)`;
+        for (const one of this.querySelectorAll<HTMLElement>("[data-colour]")) {
+            one.style.background = `rgb(${one.dataset.colour})`;
+        }
         const canvas = this.querySelector("canvas");
         const made = this.lattice && this.colours();
         if (!canvas || !made) return;
@@ -137,27 +178,28 @@ export class PictureOverlays extends LitElement {
             if (colour) image.data.set([...colour, 255], 4 * index);
         }
         canvas.getContext("2d")!.putImageData(image, 0, 0);
-        for (const one of this.querySelectorAll<HTMLElement>("[data-colour]")) {
-            one.style.background = `rgb(${one.dataset.colour})`;
-        }
     }
 
     override render() {
-        if (!this.lattice || this.shown.size === 0) return nothing;
-        const made = this.colours();
+        const { lattice, shown } = this;
+        const made = lattice && this.colours();
+        const circles = lattice && shown.has("ellipses") ? ellipsesOn(lattice, [this.clientWidth, this.clientHeight]) : null;
+        const keys = made?.legend ?? [];
+        if (circles && circles.radius > 0) {
+            const words = `circles of radius ${numberText(circles.radius)}`;
+            keys.push({ colour: null, words: circles.ellipses.some((one) => one.isReduced) ? `${words}; dotted: drawn smaller` : words });
+        }
         return html`
-            ${made
-                ? html`<canvas class=${made.isSmooth ? "smooth" : ""} aria-hidden="true"></canvas>
-                      <ul class="legend" aria-label="Colours">
-                          ${made.legend.map(
-                              ({ colour, words }) => html`<li><i data-colour=${colour.join(" ")}></i>${words}</li>`,
-                          )}
-                      </ul>`
-                : nothing}
+            ${made ? html`<canvas class=${made.isSmooth ? "smooth" : ""} aria-hidden="true"></canvas>` : nothing}
             <svg aria-hidden="true">
-                ${this.shown.has("grid") ? [this.lines(0), this.lines(1)] : nothing}
-                ${this.shown.has("horizon") ? this.horizon() : nothing}
+                ${lattice && shown.has("grid") ? [this.lines(0), this.lines(1)] : nothing}
+                ${lattice && shown.has("horizon") ? this.horizon() : nothing}
+                ${circles ? drawn(circles.ellipses) : nothing}
+                ${shown.has("findings") && this.remarks
+                    ? remarkAreas(this.remarks, this.chosen, this.clientWidth / this.pixels[0])
+                    : nothing}
             </svg>
+            ${keys.length > 0 ? this.legend(keys) : nothing}
         `;
     }
 }

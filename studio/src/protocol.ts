@@ -188,7 +188,18 @@ export type Triple = [number, number, number];
 /** The ray of a pixel of the full size, and what it meets. */
 export interface Seen {
     ray: { layer: string; origin: Triple; direction: Triple; u: number; v: number } | null;
-    hit: { object: string; material: string; distance: number; point: Triple; magnification: number } | null;
+    hit: { object: string; material: string; distance: number; point: Triple; magnification: number; metric?: Triple } | null;
+}
+
+/** What check finds about a camera of the picture. */
+export interface Remark {
+    camera: string;
+    defect: boolean;
+    message: string;
+    remedy: string;
+    /** Left, top, right and bottom, in pixels of the full size. */
+    boxes: [number, number, number, number][];
+    at: [number, number] | null;
 }
 
 export interface PicturePlace extends Seen {

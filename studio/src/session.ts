@@ -27,6 +27,7 @@ import {
     type Position,
     protocol,
     type Pull,
+    type Remark,
     type RenderDone,
     type RenderProgress,
     type SceneState,
@@ -389,6 +390,11 @@ export class Session implements Listener {
         } catch {
             return null; // Of a lost connection, or there is no picture.
         }
+    }
+
+    /** What is wrong with the cameras of the picture, or worth knowing. */
+    async check(): Promise<Remark[]> {
+        return (await this.connection.request<{ remarks: Remark[] }>("view/check", {})).remarks;
     }
 
     /** A hand pulls at the picture, and these parameters follow. The number of the change; null without a connection. */

@@ -18,6 +18,7 @@ import { HandleHand } from "./handle_hand";
 import type { Pair } from "./handle_marks";
 import { handStep } from "./number_drag";
 import { Inspection } from "./inspection";
+import { type KeyActions, press } from "./keys";
 import type { Problem } from "./language_server";
 import type { LivePicture } from "./picture";
 import "./picture";
@@ -29,6 +30,7 @@ import { PictureHand } from "./picture_hand";
 import "./picture_overlays";
 import "./picture_touch";
 import { type About, type BuiltInCamera, type Dragged, type FrameHead, type ParameterValue, type Position, Refused, type Triple } from "./protocol";
+import { remarkList } from "./remarks";
 import { seenWords } from "./seen_words";
 import { failureOf, type Page, Session } from "./session";
 import type { ParameterSliders } from "./sliders";
@@ -57,10 +59,12 @@ export class BalconyStudio extends LitElement implements Page {
         failed: (why) => this.sayFailure(why),
     });
 
-    private readonly inspection = new Inspection(
-        (columns, rows) => this.session.grid(columns, rows),
-        () => this.changed(),
-    );
+    private readonly inspection = new Inspection({
+        grid: (columns, rows) => this.session.grid(columns, rows),
+        check: () => this.session.check(),
+        changed: () => this.changed(),
+        failed: (why) => this.sayFailure(why),
+    });
     /** Where a point that was picked in space appears. */
     private found: Pair[] = [];
     private lastDrag: Dragged | null = null;
@@ -95,7 +99,7 @@ export class BalconyStudio extends LitElement implements Page {
     override connectedCallback(): void {
         super.connectedCallback();
         // Before the editor, which has other uses for some keys.
-        addEventListener("keydown", (event) => this.pressed(event), { capture: true });
+        addEventListener("keydown", (event) => press(event, this.keyActions), { capture: true });
         addEventListener("beforeunload", (event) => {
             if (this.session.about && !this.session.about.readOnly && !this.session.isSaved) event.preventDefault();
         });
@@ -218,31 +222,16 @@ export class BalconyStudio extends LitElement implements Page {
         keys: () => void showKeys(),
     };
 
-    private pressed(event: KeyboardEvent): void {
-        const control = event.ctrlKey || event.metaKey;
-        const withControl: Record<string, () => void> = { s: this.actions.save, Enter: this.actions.render };
-        const withAlt: Record<string, () => void> = {
-            1: () => this.editor.focus(),
-            2: () => this.sliders.querySelector("input")?.focus(),
-            3: () => this.querySelector<PictureHandles>("picture-handles")?.focusFirst(),
-        };
-        const act =
-            (control ? withControl[event.key] : event.altKey ? withAlt[event.key] : null) ??
-            (event.key === "F1" ? this.actions.keys : this.undoKey(event, control));
-        if (!act || document.querySelector("dialog[open]")) return;
-        event.preventDefault();
-        event.stopPropagation();
-        act();
-    }
-
-    /** Undo in the text also from the sliders. */
-    private undoKey(event: KeyboardEvent, control: boolean): (() => void) | null {
-        const at = event.composedPath()[0] as HTMLElement;
-        const isInText = at.closest(".cm-editor") !== null || (at as HTMLInputElement).type === "text";
-        if (!control || isInText) return null;
-        if (event.key === "y" || (event.key.toLowerCase() === "z" && event.shiftKey)) return () => this.editor.redo();
-        return event.key === "z" ? () => this.editor.undo() : null;
-    }
+    private readonly keyActions: KeyActions = {
+        save: this.actions.save,
+        render: this.actions.render,
+        keys: this.actions.keys,
+        undo: () => this.editor.undo(),
+        redo: () => this.editor.redo(),
+        text: () => this.editor.focus(),
+        sliders: () => this.sliders.querySelector("input")?.focus(),
+        handles: () => this.querySelector<PictureHandles>("picture-handles")?.focusFirst(),
+    };
 
     private attempt(action: Promise<unknown>): void {
         action.catch((failure: unknown) => this.sayFailure(failure));
@@ -344,13 +333,16 @@ export class BalconyStudio extends LitElement implements Page {
         const hand = this.pictureHand;
         const { seen } = hand;
         const canDrag = this.session.can("view/drag") && about?.readOnly === false;
-        const { lattice, overlays } = this.inspection;
+        const { lattice, overlays, remarks, chosen } = this.inspection;
         return html`
             <picture-overlays
                 .lattice=${lattice}
                 .shown=${new Set(overlays)}
                 .isAngle=${this.isAngle}
                 .up=${this.up}
+                .remarks=${remarks}
+                .chosen=${chosen}
+                .pixels=${this.pixels}
             ></picture-overlays>
             ${this.session.can("view/at")
                 ? html`<picture-touch
@@ -463,6 +455,7 @@ export class BalconyStudio extends LitElement implements Page {
                         </span>
                         <span class="quiet">${this.pixels[0]} × ${this.pixels[1]}</span>
                     </div>
+                    ${remarkList(this.inspection)}
                     ${this.hasHandles && session.handles.length > 0
                         ? html`<stage-numbers
                               .handles=${session.handles}

@@ -93,6 +93,8 @@ const overlayWords: Record<OverlayName, string> = {
     scale: "Scale",
     objects: "Objects",
     horizon: "Horizon",
+    ellipses: "Circles",
+    findings: "What check finds",
 };
 
 function overlayChoice({ overlays }: Inspection, actions: ToolbarActions) {

@@ -40,6 +40,56 @@ TEST(NoRay, IsFoundInTheMiddleOfTheLargestRegion) {
     EXPECT_LE((none[0].place.point - V2d(70, 70)).length(), 1.0) << none[0].place.point;
 }
 
+double area_of(const std::vector<Imath::Box2d>& boxes) {
+    double area = 0.0;
+    for (const Imath::Box2d& box : boxes) {
+        area += box.size().x * box.size().y;
+    }
+    return area;
+}
+
+TEST(Finding, HasTheSamplesThatItIsAbout) {
+    // Without a ray where u > 0.5, which is the left quarter; mirrored where u < -0.5; a seam
+    // there.
+    const CameraReport report =
+        report_on(camera_to("if(u < -0.5, -3 - u, u)", "v", "1 + sqrt(0.5 - u)/1e6"), 100, 40);
+    const auto none = findings(report, FindingKind::no_ray);
+    ASSERT_EQ(none.size(), 1U) << words(report);
+    const auto left = report.grid.cells_of(none[0].samples);
+    ASSERT_EQ(left.size(), 1U);
+    EXPECT_EQ(left[0], Imath::Box2d({0, 0}, {25, 40}));
+    const auto mirrored = findings(report, FindingKind::mirrored);
+    ASSERT_EQ(mirrored.size(), 1U) << words(report);
+    const auto right = report.grid.cells_of(mirrored[0].samples);
+    ASSERT_EQ(right.size(), 1U);
+    EXPECT_EQ(right[0], Imath::Box2d({75, 0}, {100, 40}));
+    // One cell on each side of the line.
+    const auto seams = findings(report, FindingKind::seam);
+    ASSERT_EQ(seams.size(), 1U) << words(report);
+    const auto seam = report.grid.cells_of(seams[0].samples);
+    ASSERT_EQ(seam.size(), 1U);
+    EXPECT_EQ(seam[0], Imath::Box2d({74, 0}, {76, 40}));
+}
+
+TEST(Finding, TheCellsOfAGridCoverThePicture) {
+    const SampleGrid grid = SampleGrid::over(10, 7, 3);  // 3 by 2 cells, a remainder at each side.
+    const std::vector<Imath::Box2d> all = grid.cells_of({0, 1, 2, 3, 4, 5});
+    ASSERT_EQ(all.size(), 1U);
+    EXPECT_EQ(all[0], Imath::Box2d({0, 0}, {10, 7}));
+    EXPECT_TRUE(grid.cells_of({}).empty());
+    // The ends of rows do not run on into the next.
+    EXPECT_EQ(grid.cells_of({2, 3}).size(), 2U);
+    EXPECT_EQ(grid.cells_of({1, 4})[0], Imath::Box2d({3.5, 0}, {6.5, 7}));
+    const SampleGrid fine = SampleGrid::over(9, 9, 1);
+    std::vector<std::size_t> disc;
+    for (std::size_t i = 0; i < fine.size(); ++i) {
+        if ((fine.at(i) - V2d(4.5, 4.5)).length() < 4.0) {
+            disc.push_back(i);
+        }
+    }
+    EXPECT_EQ(area_of(fine.cells_of(disc)), static_cast<double>(disc.size()));
+}
+
 TEST(Mirrored, PartsAreCountedByTheSeamsBetweenThem) {
     const CameraReport report =
         report_on(camera_to("if(u > -0.3, u, if(v > 0, 4 - u, 8 - u))"), 100, 40);

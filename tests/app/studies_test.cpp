@@ -9,6 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "balcony/app.hpp"
+#include "balcony/inputs.hpp"
+#include "balcony/prepared_scene.hpp"
 #include "balcony/studies.hpp"
 #include "support.hpp"
 
@@ -54,6 +56,49 @@ TEST_F(StudiesTest, EachCameraOfAFileHasItsDefects) {
     EXPECT_GT(report.files[0].checks[0].defect_count(), 0U);
     EXPECT_EQ(report.files[0].checks[1].defect_count(), 0U);
     EXPECT_EQ(told, (std::vector<std::string>{cameras, "folded", "plain"}));
+}
+
+// A picture in a scene that is loaded has the findings that its file has.
+TEST_F(StudiesTest, APictureIsCheckedAsItsFile) {
+    const std::string cameras = file("two.cam", folded);
+    const std::string scene =
+        file("box.obj",
+             "o far\nv -9 -9 -20\nv 9 -9 -20\nv 9 9 -20\nf 1 2 3\n"
+             "o box\nv -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\n"
+             "v -1 1 1\nf 4 7 6 5\nf 8 9 10 11\nf 4 5 9 8\nf 5 6 10 9\nf 6 7 11 10\nf 7 4 8 11\n");
+    const CheckReport whole = check(
+        {.files = {cameras + ":folded"}, .size = {.width = 64, .height = 48}, .scene = scene});
+    ASSERT_FALSE(has_errors(whole.diagnostics)) << to_text(whole.diagnostics);
+    const CameraCheck& wanted = whole.files.at(0).checks.at(0);
+    Request request;
+    request.scene = scene;
+    Result<PreparedScene> prepared = PreparedScene::make(request);
+    ASSERT_TRUE(prepared) << to_text(prepared.diagnostics);
+    const Result<camera::Picture> picture = load_picture(cameras + ":folded", {});
+    ASSERT_TRUE(picture);
+    const auto checks = check(*picture, *prepared, {64, 48});
+    ASSERT_TRUE(checks) << to_text(checks.diagnostics);
+    ASSERT_EQ(checks->size(), 1U);
+    const CameraCheck& made = checks->front();
+    EXPECT_EQ(made.title(), "folded");
+    EXPECT_EQ(made.defect_count(), wanted.defect_count());
+    ASSERT_EQ(made.report.findings.size(), wanted.report.findings.size());
+    for (std::size_t i = 0; i < made.report.findings.size(); ++i) {
+        EXPECT_EQ(made.report.findings[i].message, wanted.report.findings[i].message);
+        EXPECT_EQ(made.report.findings[i].samples, wanted.report.findings[i].samples);
+    }
+    const auto in_scene = made.in_scene->findings();
+    const auto in_wanted = wanted.in_scene->findings();
+    ASSERT_EQ(in_scene.size(), in_wanted.size());
+    ASSERT_EQ(in_scene.size(), 2U);
+    EXPECT_EQ(in_scene[0].message, "1 object: far");
+    EXPECT_EQ(in_scene[1].message, "100 % of the rays start inside 'box'");
+    EXPECT_FALSE(in_scene[1].defect);
+    EXPECT_EQ(in_scene[1].message, in_wanted[1].message);
+    std::stop_source source;
+    source.request_stop();
+    EXPECT_EQ(kind_of_errors(check(*picture, *prepared, {64, 48}, source.get_token()).diagnostics),
+              Kind::interrupted);
 }
 
 TEST_F(StudiesTest, WhatCannotBeAskedIsUsageAndNothingIsRead) {

@@ -20,6 +20,8 @@ class Questions(StudioTest):
         for one, other in zip(hit["point"], [u, v, -1], strict=True):
             self.assertAlmostEqual(one, other, 5)
         self.assertAlmostEqual(hit["magnification"], 64 / 6, 5)
+        for one, other in zip(hit["metric"], [(6 / 64) ** 2, 0, (6 / 64) ** 2], strict=True):
+            self.assertAlmostEqual(one, other, 9)
         # It follows values, also those of another page.
         change = page.result("view/change", values=[{"parameter": "height", "value": 7}])["change"]
         page.wait_for("view/camera", change=change)
@@ -33,6 +35,32 @@ class Questions(StudioTest):
         for column, row in ((0, 0), (3, 1), (7, 3)):
             self.assertEqual(places[8 * row + column],
                              page.result("view/at", x=8 * column + 4, y=12 * row + 6))
+
+    def test_what_check_finds(self):
+        (self.folder / "my.cam").write_text(CAMERA.replace(
+            "[u, v, height]", "[u, v, height + sqrt(1.5 - u)/1e6]"))
+        self.open()
+        page = self.shown()
+        remark, = [one for one in page.result("view/check")["remarks"] if one["defect"]]
+        self.assertIn("25 % of the picture has no ray", remark["message"])
+        self.assertIn("restrict map", remark["remedy"])
+        self.assertEqual((remark["camera"], remark["boxes"]), ("", [[48, 0, 64, 48]]))
+        x, y = remark["at"]
+        self.assertTrue(48 < x < 64 and 0 < y < 48)
+
+    def test_only_the_newest_check_is_answered(self):
+        self.open()
+        page = self.shown()
+        for number in range(5):
+            page.send({"jsonrpc": "2.0", "id": 900 + number, "method": "view/check", "params": {}})
+        answers = {}
+        while len(answers) < 5:
+            answer = page.next()
+            if answer.get("id", 0) >= 900:
+                answers[answer["id"]] = answer
+        self.assertIn("result", answers[904])
+        self.assertTrue(any("interrupted" in answers[900 + number].get("error", {}).get("message", "")
+                            for number in range(4)))
 
     def test_where_nothing_stands(self):
         (self.folder / "my.cam").write_text(CAMERA.replace("[u, v, height]",
@@ -78,7 +106,7 @@ class Questions(StudioTest):
         page = self.page().begin()
         page.wait_for("studio/scene", state="failed")
         for method, asked in (("view/at", {"x": 1, "y": 1}), ("view/grid", {"columns": 2, "rows": 2}),
-                              ("view/find", {"point": [1, 2, 3]})):
+                              ("view/check", {}), ("view/find", {"point": [1, 2, 3]})):
             self.assertIn("no picture is shown yet", page.error(method, **asked)["message"])
 
     def test_many_questions_at_once(self):

@@ -174,6 +174,82 @@ TEST_F(InspectTest, AGridHasWhatStandsInTheMiddleOfEachCell) {
     }
 }
 
+// The plane across the ray has a pixel's steps by finite differences; their area is the
+// magnification's. Also in a layer, and for values that the text does not have.
+TEST_F(InspectTest, TellsHowLongStepsAcrossARayAre) {
+    const std::string skew = R"(camera skew(slope = 0.6) {
+    aspect 4/3
+    map    u = slope .. -slope, v = square
+    eye    point(0, 0, 0)
+    toward surface(u, v) = [1, u + 0.7*v, v]
+}
+)";
+    show(skew, {{"slope", 0.5}});
+    const Sight sight = seen(20, 30);
+    ASSERT_TRUE(sight.hit && sight.hit->metric);
+    // The ray at the distance of the hit, as a function of (u, v).
+    const auto point = [&](double u, double v) {
+        return sight.hit->distance * V3d(1, u + 0.7 * v, v).normalized();
+    };
+    constexpr double h = 1e-6;
+    const double step = 2.0 * 0.5 / 64.0;  // Of u and v from pixel to pixel.
+    const double u = sight.parameters.x;
+    const double v = sight.parameters.y;
+    const V3d by_x = -step * (point(u + h, v) - point(u - h, v)) / (2.0 * h);
+    const V3d by_y = -step * (point(u, v + h) - point(u, v - h)) / (2.0 * h);
+    EXPECT_NEAR(sight.hit->metric->xx, by_x.length2(), 1e-8);
+    EXPECT_NEAR(sight.hit->metric->xy, by_x.dot(by_y), 1e-8);
+    EXPECT_NEAR(sight.hit->metric->yy, by_y.length2(), 1e-8);
+    EXPECT_GT(std::abs(sight.hit->metric->xy), 1e-5);
+    for (const std::string& text : {skew, twice}) {
+        show(text);
+        for (const V2d& place : {V2d(10, 10), V2d(25, 5), V2d(50, 40)}) {
+            const Sight one = seen(place.x, place.y);
+            ASSERT_TRUE(one.hit && one.hit->metric);
+            const auto& [xx, xy, yy] = *one.hit->metric;
+            // The film has single precision.
+            EXPECT_NEAR(std::pow(xx * yy - xy * xy, -0.25) / one.hit->magnification, 1.0, 1e-5);
+        }
+    }
+}
+
+TEST_F(InspectTest, RemarksHaveTheirPlaces) {
+    const std::string part =
+        "camera part { aspect 4/3 map u = 0.6 .. -0.6, v = square eye point(0, 0, 0) "
+        "toward surface(u, v) = [1 + sqrt(u + 0.3)/1e6, u, v] }";
+    show(part);
+    const auto remarks = inspector_->check();
+    ASSERT_TRUE(remarks) << to_text(remarks.diagnostics);
+    ASSERT_EQ(remarks->size(), 1U);
+    const Remark& one = remarks->front();
+    EXPECT_TRUE(one.defect);
+    EXPECT_EQ(one.camera, "");
+    EXPECT_EQ(one.message, "25 % of the picture has no ray, in one region");
+    ASSERT_EQ(one.areas.size(), 1U);
+    EXPECT_EQ(one.areas[0], Imath::Box2d({48, 0}, {64, 48}));
+    EXPECT_TRUE(one.areas[0].intersects(*one.example));
+    // Values count, too: without the whole range, all have rays.
+    show(straight, {{"slope", 0.01}});
+    const auto others = inspector_->check();
+    ASSERT_TRUE(others) << to_text(others.diagnostics);
+    ASSERT_EQ(others->size(), 1U);
+    EXPECT_EQ(others->front().message, "1 object: wall");
+    EXPECT_FALSE(others->front().defect);
+    EXPECT_TRUE(others->front().areas.empty());
+    // Places of a layer are those of its own picture, so none here.
+    show(part + "picture both { aspect 4/3 layer part layer part { place (0, 0) .. (0.5, 0.5) } }");
+    const auto layers = inspector_->check();
+    ASSERT_TRUE(layers) << to_text(layers.diagnostics);
+    ASSERT_EQ(layers->size(), 1U);
+    EXPECT_EQ(layers->front().camera, "part, layer 1 of both, layer 2 of both");
+    EXPECT_EQ(layers->front().message, one.message);
+    EXPECT_TRUE(layers->front().areas.empty());
+    EXPECT_FALSE(layers->front().example);
+    std::stop_source source;
+    source.request_stop();
+    EXPECT_EQ(kind_of_errors(inspector_->check(source.get_token()).diagnostics), Kind::interrupted);
+}
+
 TEST_F(InspectTest, AGridIsStopped) {
     show(straight);
     std::stop_source source;
@@ -217,6 +293,7 @@ TEST_F(InspectTest, WithoutACameraThereAreNoAnswers) {
     EXPECT_TRUE(has_errors(inspector_->show({++change_, "camera {", "", {}, {64, 48}})));
     EXPECT_FALSE(inspector_->at({1, 1}));
     EXPECT_FALSE(inspector_->grid(2, 2));
+    EXPECT_FALSE(inspector_->check());
     EXPECT_FALSE(inspector_->places_of({1, 1, 1}));
     show(straight);
     EXPECT_TRUE(inspector_->at({1, 1}));

@@ -78,6 +78,73 @@ test("a lattice of the picture is one question, and its points are those of the 
     assert.deepEqual(place, seen);
 });
 
+test("the legend is not longer than a flat picture", async () => {
+    const page = await studio.open();
+    await choose(page, "#overlay-objects");
+    await untilLattice(page);
+    await page.tab.locator(".legend li").first().waitFor();
+    const [legend, picture, entries] = await page.tab.evaluate(() => [
+        document.querySelector(".legend").getBoundingClientRect(),
+        document.querySelector("picture-overlays").getBoundingClientRect(),
+        [...document.querySelectorAll(".legend li")].map((one) => one.getBoundingClientRect()),
+    ]);
+    assert.ok(picture.height < 200 && entries.length >= 6, `${picture.height} ${entries.length}`);
+    for (const one of [legend, ...entries]) {
+        assert.ok(one.bottom <= picture.bottom && one.right <= picture.right, JSON.stringify([one, picture]));
+    }
+});
+
+test("circles are ellipses by the metric of the lattice", async () => {
+    const page = await studio.open();
+    await page.tab.evaluate(() => {
+        const { inspection } = document.querySelector("balcony-studio");
+        // A lattice of one cell in which a step to the lower right is half as long as one to the upper right.
+        const ray = { layer: "", origin: [0, 0, 0], direction: [1, 0, 0], u: 0, v: 0 };
+        const hit = { object: "a", material: "", distance: 1, point: [0, 0, 0], magnification: 1, metric: [5, -3, 5] };
+        inspection.overlays.add("ellipses");
+        inspection.follow = () => {};
+        inspection.lattice = { columns: 1, rows: 1, size: [100, 20], places: [{ x: 50, y: 10, ray, hit }] };
+        document.querySelector("balcony-studio").changed();
+    });
+    const ellipse = page.tab.locator("picture-overlays ellipse");
+    await ellipse.waitFor();
+    const [rx, ry, move] = await ellipse.evaluate((one) => ["rx", "ry", "transform"].map((name) => one.getAttribute(name)));
+    // (1, 1) has the length 2 and (1, -1) the length 4.
+    assert.ok(Math.abs(rx / ry - 2) < 1e-9, `${rx} ${ry}`);
+    const angle = Number(/rotate\((.*)\)/.exec(move)[1]);
+    assert.ok(Math.abs((angle % 180) - 45) < 1e-9, move);
+    assert.match(await page.tab.locator(".legend").innerText(), /circles of radius/);
+});
+
+test("what check finds is shown where it is, with its text, and follows the text", async () => {
+    const page = await studio.open();
+    await choose(page, "#overlay-findings");
+    await page.until(({ inspection }) => inspection.remarks !== null);
+    await page.replace(`camera part(least = 0.5) {
+    aspect 2
+    map    u = 1 .. -1, v = square
+    eye    point(0, 0, 0)
+    toward surface(u, v) = [1 + sqrt(least - u)/1e6, u, v]
+}
+`);
+    await page.untilFollowed();
+    const area = page.tab.locator("picture-overlays path.remark.defect");
+    await page.tab.getByText("25 % of the picture has no ray").first().waitFor();
+    // The left quarter of the picture.
+    const [seen, picture] = [await area.boundingBox(), await page.tab.locator("picture-overlays").boundingBox()];
+    assert.ok(Math.abs(seen.x - picture.x) < 1 && Math.abs(seen.width - picture.width / 4) < 4, JSON.stringify(seen));
+    assert.ok(Math.abs(seen.height - picture.height) < 1);
+    const entry = page.tab.locator(".remarks li.defect");
+    assert.match(await entry.innerText(), /restrict map/);
+    await page.tab.locator(".remarks li").last().focus();
+    await page.tab.locator("path.remark.defect.faint").waitFor({ state: "attached" });
+    // A hand that moves the number has another picture checked.
+    await page.tab.evaluate(() =>
+        document.querySelector("balcony-studio").session.changeView({ values: [{ parameter: "least", value: 2 }] }),
+    );
+    await entry.waitFor({ state: "detached" });
+});
+
 test("the camera in space is drawn, and a point of it is found in the picture", async () => {
     const page = await studio.open();
     await page.tab.locator("#space").click();

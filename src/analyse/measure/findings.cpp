@@ -95,6 +95,11 @@ private:
         finding.count = regions.size();
         finding.share = share(regions);
         finding.place = place(regions.front().middle);
+        for (const SampleRegion& region : regions) {
+            finding.samples.insert(finding.samples.end(), region.samples.begin(),
+                                   region.samples.end());
+        }
+        std::sort(finding.samples.begin(), finding.samples.end());
         return found_.emplace_back(std::move(finding));
     }
 
@@ -247,19 +252,28 @@ private:
         constexpr std::size_t max_single = 8;
         const std::vector<Seam> seams = join_seams(grid_, evidence_.crossings);
         for (std::size_t i = 0; i < std::min(seams.size(), max_single); ++i) {
-            Finding& finding = add_seam(seams[i]);
-            finding.count = 1;
-            finding.length = seams[i].length;
+            lengthen(add_seam(seams[i]), seams[i]);
         }
         if (seams.size() > max_single) {
             Finding& finding = add_seam(seams[max_single]);
-            finding.count = seams.size() - max_single;
             for (std::size_t i = max_single; i < seams.size(); ++i) {
-                finding.length += seams[i].length;
+                lengthen(finding, seams[i]);
             }
             finding.message = fmt::format("rays jump along {} more lines, {:.0f} pixels in total",
                                           finding.count, finding.length);
         }
+    }
+
+    void lengthen(Finding& finding, const Seam& seam) const {
+        ++finding.count;
+        finding.length += seam.length;
+        for (const Crossing& crossing : seam.crossings) {
+            finding.samples.push_back(crossing.sample);
+            finding.samples.push_back(crossing.sample + (crossing.along_x ? 1 : grid_.columns));
+        }
+        std::sort(finding.samples.begin(), finding.samples.end());
+        finding.samples.erase(std::unique(finding.samples.begin(), finding.samples.end()),
+                              finding.samples.end());
     }
 
     Finding& add_seam(const Seam& seam) {

@@ -9,23 +9,6 @@
 
 namespace balcony::analyse {
 
-SampleGrid SampleGrid::over(double picture_width, double picture_height, double step) {
-    const auto count = [step](double length) {
-        return static_cast<std::size_t>(std::max(std::floor(length / step + 1e-9), 1.0));
-    };
-    return {picture_width, picture_height, step, count(picture_width), count(picture_height)};
-}
-
-V2d SampleGrid::first() const {
-    return {0.5 * (picture_width - step * static_cast<double>(columns - 1)),
-            0.5 * (picture_height - step * static_cast<double>(rows - 1))};
-}
-
-V2d SampleGrid::at(std::size_t index) const {
-    return first() +
-           step * V2d(static_cast<double>(index % columns), static_cast<double>(index / columns));
-}
-
 Result<RayField> RayField::make(const camera::Camera& camera, double picture_width,
                                 double picture_height, double time, Derivatives derivatives,
                                 Work work) {

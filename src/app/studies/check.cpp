@@ -17,6 +17,7 @@
 #include "app/words.hpp"
 #include "balcony/display_file.hpp"
 #include "balcony/output_file.hpp"
+#include "balcony/prepared_scene.hpp"
 #include "balcony/render.hpp"
 #include "balcony/studies.hpp"
 
@@ -163,6 +164,21 @@ public:
             }
         }
         return std::move(report_);
+    }
+
+    Result<std::vector<CameraCheck>> operator()(const camera::Picture& picture,
+                                                const PreparedScene& scene) {
+        scene_ = scene.scene();
+        renderer_ = scene.renderer();
+        FileCheck file;
+        for (const CheckSubject& subject : check_subjects(picture, request_)) {
+            if (is_fine()) {
+                check_camera(subject, file);
+            }
+        }
+        return is_fine() ? Result<std::vector<CameraCheck>>(
+                               {std::move(file.checks), std::move(report_.diagnostics)})
+                         : std::move(report_.diagnostics);
     }
 
 private:
@@ -390,6 +406,16 @@ private:
 CheckReport check(const CheckRequest& request, const CheckObserver& observer,
                   const std::stop_token& stop) {
     return Check(request, observer, stop)();
+}
+
+Result<std::vector<CameraCheck>> check(const camera::Picture& picture, const PreparedScene& scene,
+                                       const std::array<std::size_t, 2>& size,
+                                       const std::stop_token& stop) {
+    CheckRequest request;
+    request.size = {.width = size[0], .height = size[1]};
+    request.time = scene.settings().time;
+    const CheckObserver nobody;
+    return Check(request, nobody, stop)(picture, scene);
 }
 
 }  // namespace balcony::app

@@ -123,4 +123,11 @@ Result<std::vector<CheckSubject>> check_subjects(const std::string& argument,
     return {std::move(subjects), pictures.diagnostics};
 }
 
+std::vector<CheckSubject> check_subjects(const camera::Picture& picture,
+                                         const CheckRequest& request) {
+    SubjectList list(request);
+    list.add(picture);
+    return list.take();
+}
+
 }  // namespace balcony::app

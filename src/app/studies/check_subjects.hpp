@@ -26,5 +26,8 @@ struct CheckSubject {
 [[nodiscard]] Result<std::vector<CheckSubject>> check_subjects(const std::string& argument,
                                                                const CheckRequest& request,
                                                                lang::Workspace& workspace);
+/// The cameras in a picture, each once.
+[[nodiscard]] std::vector<CheckSubject> check_subjects(const camera::Picture& picture,
+                                                       const CheckRequest& request);
 
 }  // namespace balcony::app

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "balcony/names.hpp"
 #include "cli/report/report.hpp"
 
 namespace balcony::cli {
@@ -20,8 +19,6 @@ using analyse::Finding;
 using analyse::Place;
 using analyse::Statistics;
 using app::CameraCheck;
-
-std::string percent(double share) { return fmt::format("{:.3g} %", 100.0 * share); }
 
 std::string pixel_text(const analyse::V2d& point) {
     return fmt::format("({:.4g}, {:.4g})", point.x, point.y);
@@ -78,16 +75,6 @@ std::string origins_text(const CameraReport& report) {
                : spread;
 }
 
-std::string list_text(const std::vector<std::string>& names) {
-    constexpr std::size_t max_names = 10;
-    std::string text;
-    for (std::size_t i = 0; i < std::min(names.size(), max_names); ++i) {
-        text += (i == 0 ? "" : ", ") + printable(names[i]);
-    }
-    return names.size() > max_names ? fmt::format("{} and {} more", text, names.size() - max_names)
-                                    : text;
-}
-
 std::string scale_text(const CameraCheck::InScene::Scale& scale) {
     const auto range = [](const render::SurfaceScale::Range& r) {
         return fmt::format("{:.4g} to {:.4g}, median {:.4g}", r.least, r.most, r.median);
@@ -99,23 +86,9 @@ std::string scale_text(const CameraCheck::InScene::Scale& scale) {
 
 std::string scene_text(const CameraCheck::InScene& found) {
     std::string text;
-    if (found.miss) {
-        text += finding_text("meets nothing", "no ray meets anything: " + found.miss->reason, "",
-                             found.miss->remedy);
-    } else if (!found.never_seen.empty()) {
-        text += finding_text("never seen",
-                             fmt::format("{}: {}", counted(found.never_seen.size(), "object"),
-                                         list_text(found.never_seen)),
-                             "", "");
-    }
-    for (const app::StartInside& start : found.starts_inside) {
-        text += finding_text("starts inside",
-                             fmt::format("{} of the rays start inside '{}'", percent(start.share),
-                                         printable(start.object)),
-                             start.is_around_all ? "" : "at " + pixel_text(start.point),
-                             start.is_around_all
-                                 ? "if this object is not the room, move the camera"
-                                 : "move the camera, or make its eye object smaller or larger");
+    for (const CameraCheck::InScene::Finding& one : found.findings()) {
+        text += finding_text(one.name, printable(one.message),
+                             one.at ? "at " + pixel_text(*one.at) : "", one.remedy);
     }
     if (found.scale) {
         text += line("scale", scale_text(*found.scale));

@@ -10,12 +10,22 @@
 namespace balcony::studio {
 
 void Inspection::ask(Question question, std::optional<live::Shown> about) {
-    worker_.give([this, question = std::move(question),
-                  about = std::move(about)](const std::stop_token& stop) {
+    if (answers_ == Answers::newest) {
+        stop();
+    }
+    worker_.give([this, question = std::move(question), about = std::move(about),
+                  asked = asked_](const std::stop_token& ends) mutable {
+        const std::stop_callback on_end(ends, [&asked] { asked.request_stop(); });
+        const std::stop_token stop = asked.get_token();
         question(
             [&]() -> live::Inspector& { return inspector(about ? about : view_.shown(), stop); },
             stop);
     });
+}
+
+void Inspection::stop() {
+    asked_.request_stop();
+    asked_ = std::stop_source();
 }
 
 live::Inspector& Inspection::inspector(const std::optional<live::Shown>& shown,

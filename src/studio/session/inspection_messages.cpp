@@ -36,6 +36,9 @@ json told_of(const std::optional<live::Sight>& sight) {
             {"object", sight->hit->object},          {"material", sight->hit->material},
             {"distance", sight->hit->distance},      {"point", told_of(sight->hit->point)},
             {"normal", told_of(sight->hit->normal)}, {"magnification", sight->hit->magnification}};
+        if (const auto& metric = sight->hit->metric) {
+            made["hit"]["metric"] = {metric->xx, metric->xy, metric->yy};
+        }
     }
     return made;
 }
@@ -64,6 +67,26 @@ json grid_answer(live::Inspector& inspector, const json& asked, const std::stop_
         places.push_back(told_of(one));
     }
     return {{"places", std::move(places)}};
+}
+
+json remarks_answer(live::Inspector& inspector, const json& /*asked*/,
+                    const std::stop_token& stop) {
+    json remarks = json::array();
+    const auto found = inspector.check(stop);
+    for (const live::Remark& one : required(found)) {
+        json boxes = json::array();
+        for (const Imath::Box2d& box : one.areas) {
+            boxes.push_back({box.min.x, box.min.y, box.max.x, box.max.y});
+        }
+        remarks.push_back(
+            {{"camera", one.camera},
+             {"defect", one.defect},
+             {"message", one.message},
+             {"remedy", one.remedy},
+             {"boxes", std::move(boxes)},
+             {"at", one.example ? json{one.example->x, one.example->y} : json(nullptr)}});
+    }
+    return {{"remarks", std::move(remarks)}};
 }
 
 json places_answer(live::Inspector& inspector, const json& asked, const std::stop_token& stop) {

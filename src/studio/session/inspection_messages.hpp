@@ -22,5 +22,8 @@ namespace balcony::studio {
 /// Where a point of space appears.
 [[nodiscard]] nlohmann::json places_answer(live::Inspector& inspector, const nlohmann::json& asked,
                                            const std::stop_token& stop);
+/// What is wrong with the cameras of the picture, or worth knowing.
+[[nodiscard]] nlohmann::json remarks_answer(live::Inspector& inspector, const nlohmann::json& asked,
+                                            const std::stop_token& stop);
 
 }  // namespace balcony::studio

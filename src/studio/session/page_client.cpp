@@ -61,6 +61,7 @@ const PageClient::PictureRow PageClient::picture_rows[] = {
     {"view/at", &Studio::inspection, sight_answer},
     {"view/grid", &Studio::inspection, grid_answer},
     {"view/find", &Studio::search, places_answer},
+    {"view/check", &Studio::checks, remarks_answer},
 };
 
 namespace {

@@ -49,6 +49,7 @@ Studio::Studio(Server& server, const Options& options, SharedText text)
       view_(live::View::load(options.request, observer(), {}, text_.file().parent_path())),
       inspection_(*view_, text_.file().parent_path()),
       search_(*view_, text_.file().parent_path()),
+      checks_(*view_, text_.file().parent_path(), Inspection::Answers::newest),
       wall_(server, options.request,
             {.picture =
                  [this](const Bytes& picture) {
@@ -140,6 +141,7 @@ json Studio::text_message(const PageClient* by) const {
 std::uint64_t Studio::change_view(live::Change change) {
     camera_ = change.camera.value_or(camera_);
     rest_told_ = nullptr;
+    checks_.stop();
     return view_->change(std::move(change));
 }
 

@@ -53,9 +53,10 @@ public:
     /// The number of the change.
     std::uint64_t change_view(live::Change change);
     [[nodiscard]] TextQuestions& questions() { return questions_; }
-    /// For quick answers, and for those that may take seconds.
+    /// For quick answers, for those that may take seconds, and for checks of what is shown last.
     [[nodiscard]] Inspection& inspection() { return inspection_; }
     [[nodiscard]] Inspection& search() { return search_; }
+    [[nodiscard]] Inspection& checks() { return checks_; }
     [[nodiscard]] CameraWall& wall() { return wall_; }
     [[nodiscard]] Renderings& renderings() { return renderings_; }
     /// What a shell renders the same by. Throws a Refusal.
@@ -92,6 +93,7 @@ private:
     // Their threads use the view.
     Inspection inspection_;
     Inspection search_;
+    Inspection checks_;
     CameraWall wall_;
     Renderings renderings_;
 };
