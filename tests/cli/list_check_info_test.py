@@ -4,6 +4,7 @@
 
 import json
 import math
+import re
 
 import support
 
@@ -153,6 +154,21 @@ class Info(support.CommandTest):
         (self.folder / "bad.ZMX").write_text("SURF 0\nSURF 1\n")
         self.refused("info", "bad.ZMX", code=1, says="bad.ZMX:1:1: error: this file has no surfaces")
         self.refused("info", "none.dat", code=1, says="'none.dat'")
+
+    def test_distortion_is_that_of_the_picture(self):
+        """Where the lens shows a far point, by the ray through the middle of what passes; the
+        table has the centroid of the light, which is a tenth of a per cent beside it."""
+        (self.folder / "far.cam").write_text(
+            "camera far { map u = 0.6 .. -0.6, v = square  eye point  toward plane((1, 0, 0))\n"
+            "  lens table(\"dgauss.dat\", focus = 1e9, unit = 1) }\n")
+        out, _ = self.run_command("info", "dgauss.dat")
+        for angle in (15, 25):
+            tangent = math.tan(math.radians(angle))
+            (point,) = self.json_of("locate", "far.cam", "--size", "1000x200", "--point",
+                                    f"1e9,{1e9 * tangent},0")["points"]
+            seen = 0.6 * (1 - point["sightings"][0]["x"] / 500)
+            (printed,) = re.findall(rf"\n +{angle} deg +\d+ % +(\S+) %", out)
+            self.assertAlmostEqual(float(printed), 100 * (seen / tangent - 1), delta=0.15)
 
     def test_mistakes(self):
         self.refused("info", "none.obj", code=1, says="'none.obj'")
