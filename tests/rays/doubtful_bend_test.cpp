@@ -44,6 +44,13 @@ TEST(DoubtfulBend, IsCountedInAWarning) {
         {"bend field(at(x, y, z) = [if(x > 5, 1.5, 1)], length = 10)",
          "on 25 of 25 rays over the picture, the refractive index of this bend changes by more "
          "than 5 % without bending them"},
+        // A slab, in front of and behind which the index is the same, and a staircase.
+        {"bend field(at(x, y, z) = [if(x > 5, if(x > 5.5, 1, 1.5), 1)], length = 10)",
+         "on 25 of 25 rays over the picture, the refractive index of this bend changes by more "
+         "than 5 % without bending them"},
+        {"bend field(at(x, y, z) = [1 + 0.04*floor(x)], length = 10)",
+         "on 25 of 25 rays over the picture, the refractive index of this bend changes by more "
+         "than 5 % without bending them"},
         {"bend field(at(x, y, z) = [if(x > 5, -1, 1)], length = 10)",
          "error: the refractive index of this bend is not positive along any ray"},
         // A pole half-way along the rays of two of five columns, those to the left.
@@ -66,6 +73,8 @@ TEST(DoubtfulBend, IsCountedInAWarning) {
     }
     for (const std::string bend :
          {"bend field(at(x, y, z) = [1 + 0.2*exp(-((x - 9)^2 + y^2 + z^2)/9)], length = 18)",
+          "bend field(at(x, y, z) = [1.3 + 0.3*tanh(2*(x - 9))], length = 18)",
+          "bend field(at(x, y, z) = [1/(1 + ((x - 1)^2 + (y - 2)^2 + (z - 3)^2)/9)], length = 9)",
           "bend field(at(x, y, z) = [0, 0, -0.1], length = 9, parts = 3)",
           "bend pinholes([(7, 2, 3), (7, 12, 3), (17, 12, 3)])"}) {
         EXPECT_EQ(messages_of(with(bend)), "");

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -65,7 +66,6 @@ private:
 protected:
     struct Flight {
         BentPath path;
-        PathState end;
         Expr is_passable;  ///< At the end of all steps.
     };
 
@@ -97,7 +97,7 @@ private:
             at = next;
             here = there;
         }
-        return {{std::move(knots), here.point}, at, passable};
+        return {{std::move(knots), here.point}, passable};
     }
 
     [[nodiscard]] PathState stepped(const PathState& at, const PathSlope& first, double step,
@@ -167,7 +167,6 @@ private:
     Expr is_passable(const PathState& at, const Emitter& emit) const override {
         return 0.0 < index_.emit(emit.graph(), coordinates(at.point)).front();
     }
-    // A jump of the index has no gradient, so it bends no ray: then |m| is not n behind it.
     void judge(const Flight& flight, const CentralRay& ray, Emitter& emit) const override {
         const ObjectPoint& start = flight.path.knots.front();
         const Expr first = index_.emit(emit.graph(), coordinates(start)).front();
@@ -175,15 +174,30 @@ private:
             !(0.0 < first) || flight.is_passable,
             error("the refractive index of this bend is not positive along any ray", {},
                   "write an index above 0, such as 1 of the void"));
+        report_jumps(flight.path.knots, ray, emit);
+    }
+
+    // A jump of the index has no gradient, so it bends no ray: the gradients along the path do not
+    // add up to the change of the index.
+    void report_jumps(std::span<const ObjectPoint> knots, const CentralRay& ray,
+                      Emitter& emit) const {
         constexpr double noticeable = 0.05;
-        const Expr last = index_.emit(emit.graph(), coordinates(flight.end.point)).front();
-        const std::array indices{first, last, sqrt(dot(flight.end.motion, flight.end.motion))};
+        const std::vector<Expr> along = indices_along(knots, emit);
+        const auto jumps = [&](const Imath::V2d& point) {
+            const std::vector<double> n = emit.trial(along, point.x, point.y);
+            double by_gradient = 0.0;
+            for (std::size_t i = 2; i < n.size(); i += 2) {
+                by_gradient += 0.5 * (n[i - 1] + n[i + 1]);
+                const double change = n[i] - n[0];
+                if (std::abs(change) > noticeable * n[0] &&
+                    std::abs(by_gradient - change) > 0.5 * std::abs(change)) {
+                    return true;
+                }
+            }
+            return false;
+        };
         const std::vector<Imath::V2d> points = trial_points(ray, emit);
-        const auto wrong = std::count_if(points.begin(), points.end(), [&](const Imath::V2d& at) {
-            const std::vector<double> n = emit.trial(indices, at.x, at.y);
-            const double change = std::abs(n[1] - n[0]);
-            return change > noticeable * n[0] && std::abs(n[2] - n[1]) > 0.5 * change;
-        });
+        const auto wrong = std::count_if(points.begin(), points.end(), jumps);
         if (wrong > 0) {
             emit.report(warning(
                 fmt::format("on {} of {} rays over the picture, the refractive index of this bend "
@@ -191,6 +205,31 @@ private:
                             wrong, points.size(), 100.0 * noticeable),
                 {}, "let it change without a jump, over a length of several straight parts"));
         }
+    }
+
+    // At places along the straight parts, the index and how much its gradient changes it up to the
+    // next place.
+    [[nodiscard]] std::vector<Expr> indices_along(std::span<const ObjectPoint> knots,
+                                                  Emitter& emit) const {
+        constexpr std::size_t fewest = 64;
+        const std::size_t parts = knots.size() - 1;
+        const std::size_t of_part = std::max<std::size_t>(2, (fewest + parts - 1) / parts);
+        const double step = 1.0 / static_cast<double>(of_part);
+        std::vector<Expr> made;
+        const auto add = [&](const ObjectPoint& at, const ObjectVector& way) {
+            const std::vector<Expr> n = index_.emit(emit.graph(), coordinates(at));
+            made.insert(made.end(), {n[0], dot(ObjectVector{n[1], n[2], n[3]}, way)});
+        };
+        for (std::size_t i = 0; i < parts; ++i) {
+            const ObjectVector way = emit(step) * (knots[i + 1] - knots[i]);
+            for (std::size_t k = 0; k < of_part; ++k) {
+                add(knots[i] + emit(static_cast<double>(k)) * way, way);
+            }
+            if (i + 1 == parts) {
+                add(knots[i + 1], way);
+            }
+        }
+        return made;
     }
 
     Formula index_;

@@ -394,7 +394,7 @@ RayExpressions bent(const RayExpressions& ray, const Bend& bend, const PicturePo
         !ray.valid || (min_squared_length < squared_length && is_finite(size)),
         error("this bend has no path for any ray of the picture: its numbers are not finite, or it "
               "ends without a direction",
-              {}, "let its formula be defined along the rays"));
+              {}, "write smaller numbers, or let its formula be defined along the rays"));
     const ObjectVector first = path.knots[1] - path.knots[0];
     const Expr square = dot(first, first);
     RayExpressions made = ray;
