@@ -56,7 +56,7 @@ Result<std::vector<Shown>> shown_rays(const camera::Camera& camera, const Depict
     constexpr double picture_height = 1000.0;
     Result<RayField> field =
         RayField::make(camera, picture_height * geometry.aspect, picture_height, depiction.time,
-                       RayField::Derivatives::without, work);
+                       RayField::Derivatives::without, work, RayField::Parts::all);
     if (!field) {
         return field.diagnostics;
     }

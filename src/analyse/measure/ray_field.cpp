@@ -7,16 +7,25 @@
 #include <array>
 #include <cmath>
 
+#include "rays/results.hpp"
+
 namespace balcony::analyse {
 
 Result<RayField> RayField::make(const camera::Camera& camera, double picture_width,
                                 double picture_height, double time, Derivatives derivatives,
-                                Work work) {
+                                Work work, Parts parts) {
     work.go_on();
-    Result<rays::RayProgram> program = rays::compile(
-        camera, picture_width, picture_height,
-        {.footprints = derivatives == Derivatives::with, .points = true, .bends = true},
-        work.stop());
+    const rays::CompileOptions options{
+        .footprints = derivatives == Derivatives::with, .points = true, .bends = true};
+    Result<rays::RayProgram> program = rays::within_limits<rays::RayProgram>(
+        "camera", camera.name(), {picture_width, picture_height}, work.stop(),
+        [&](expr::Graph& graph) {
+            camera::RayExpressions ray = camera.emit(graph, picture_width, picture_height);
+            if (parts == Parts::first) {
+                ray.bend.reset();
+            }
+            return rays::RayProgram::make(ray, camera.parts().axes, options);
+        });
     if (!program) {
         return program.diagnostics;
     }
