@@ -30,7 +30,8 @@ def plates(keep):
 
 
 # What renders, reads scenes, searches or writes in parallel.
-THREADED = r"^((analyse|app|bridge|images|render|scene)\.|cli\.(animate|check|checkpoint|warp|watch)$)"
+THREADED = (r"^((analyse|app|bridge|images|live|render|scene|solve)\."
+            r"|cli\.(animate|check|checkpoint|interruption|shards|studio\w*|warp|watch)$)")
 
 # Of each fuzzer: 60 for a thorough run, 5 for a look at all of them.
 FUZZ_MINUTES = float(os.environ.get("BALCONY_FUZZ_MINUTES", 20))
