@@ -169,6 +169,8 @@ export class Session implements Listener {
         this.isAtRest = false;
         if (before) this.goOn(before, studio);
         else this.begin(studio);
+        // The picture may have had its room before there was a connection.
+        if (this.size) this.changeView({ size: this.size, camera: this.chosen });
         this.page.changed();
         await this.learn();
         this.findValuesSoon();
@@ -194,7 +196,6 @@ export class Session implements Listener {
             this.savedText = about.savedVersion === about.textVersion ? about.text : null;
             this.text.restarted(about.textVersion, about.text, mine);
         }
-        if (this.size) this.changeView({ size: this.size, camera: this.chosen });
     }
 
     lost(isRefused: boolean): void {

@@ -176,6 +176,7 @@ test("arrows move a handle by pixels, and what they do in a row is one step of u
     const asked = /at = \(([-\d.]+), ([-\d.]+)\)/;
     await page.until((studio, text) => studio.text().toString() !== text, text);
     await page.tab.waitForTimeout(900);
+    await page.until(({ session }) => session.isSettled);
     const [, u, v] = asked.exec(await page.text());
     near(Number(u), 0.2 - 10 * (2 / pixels[0]), 1e-3);
     near(Number(v), -0.1 + 3 * (1 / pixels[1]), 1e-3);

@@ -95,7 +95,8 @@ const complaints = [];
 export class Page {
     expected = /ERR_CONNECTION|WebSocket/;
 
-    static async open(address, options = {}) {
+    /** `prepare` gets the tab before it has an address. */
+    static async open(address, { prepare, ...options } = {}) {
         const context = await browser.newContext({ viewport: { width: 1280, height: 720 }, ...options });
         await context.grantPermissions(["clipboard-read", "clipboard-write"]);
         const page = new Page();
@@ -107,6 +108,7 @@ export class Page {
                 complaints.push(message.text());
             }
         });
+        await prepare?.(page.tab);
         await page.tab.goto(address);
         return page;
     }
@@ -141,8 +143,14 @@ export class Page {
         return this.tab.locator("#state").innerText();
     }
 
-    /** Waits for the picture of everything that has been changed, in one ray a pixel or more. */
+    /** Waits for the picture of everything that has been changed, in the size of its room, and in one ray a pixel or
+     *  more. */
     async untilFollowed() {
+        await this.until((studio) => {
+            const { pixels } = studio;
+            studio.fit();
+            return studio.pixels === pixels;
+        });
         await this.until(({ session }) => session.isSettled);
         const { change } = await this.tab.evaluate(() =>
             document.querySelector("balcony-studio").session.connection.request("view/change", {}),
@@ -151,15 +159,6 @@ export class Page {
             ({ session }, change) => session.shown?.change >= change && session.shown.quality !== "coarse",
             change,
         );
-    }
-
-    /** Waits until the picture has the pixels of its room. */
-    async untilFitted() {
-        await this.until((studio) => {
-            const { pixels } = studio;
-            studio.fit();
-            return studio.pixels === pixels;
-        });
     }
 
     /** A number that is another one for another picture. */
@@ -242,6 +241,7 @@ export function serverOf(text) {
         assert.deepEqual(complaints.splice(0), []);
     });
     after(async () => {
+        await made.server.stop(); // Nothing follows a test that skips itself.
         await browser.close();
         rmSync(folder, { recursive: true });
     });

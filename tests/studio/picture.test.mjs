@@ -24,8 +24,7 @@ async function open() {
     const page = await studio.open();
     await page.tab.locator("#handles").click(); // They would be in the way.
     await page.tab.locator("stage-numbers").waitFor({ state: "detached" });
-    await page.untilFitted(); // The picture gets the room that they had.
-    await page.untilFollowed();
+    await page.untilFollowed(); // The picture gets the room that they had.
     page.box = await page.tab.locator("live-picture canvas").boundingBox();
     page.size = await page.tab.evaluate(() => document.querySelector("balcony-studio").pixels);
     return page;
@@ -37,6 +36,22 @@ const at = (page, x, y) =>
         ([x, y]) => document.querySelector("balcony-studio").session.at([x, y]),
         [x * page.size[0], y * page.size[1]],
     );
+
+test("a picture that had its room before the server answered has the pixels of it", async () => {
+    const prepare = (tab) =>
+        tab.addInitScript(() => {
+            const { send } = WebSocket.prototype;
+            WebSocket.prototype.send = function (message) {
+                setTimeout(() => send.call(this, message), 500);
+            };
+        });
+    const page = await studio.open({ prepare });
+    const [shown, pixels] = await page.tab.evaluate(() => {
+        const { session, pixels } = document.querySelector("balcony-studio");
+        return [[session.shown.width, session.shown.height], pixels];
+    });
+    assert.deepEqual(shown, pixels);
+});
 
 test("the hand sees the object, the distance, (u, v) and the ray of a pixel, and a click keeps them", async () => {
     const page = await open();
