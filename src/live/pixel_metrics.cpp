@@ -18,9 +18,8 @@ Result<PixelMetrics> PixelMetrics::make(const lang::OpenPicture& opened,
     for (const lang::OpenParameter& one : opened.open) {
         options.inputs.push_back({lang::parameter_input(one.name), program::Rate::uniform});
     }
-    Result<rays::VisibleLayers> layers =
-        rays::compile_layers(opened.picture, static_cast<double>(size[0]),
-                             static_cast<double>(size[1]), options, stop);
+    Result<rays::VisibleLayers> layers = rays::compile_layers(
+        opened.picture, static_cast<double>(size[0]), static_cast<double>(size[1]), options, stop);
     if (!layers) {
         return std::move(layers.diagnostics);
     }
@@ -34,8 +33,8 @@ std::optional<PixelMetrics::Metric> PixelMetrics::at(std::size_t layer, const Im
     for (const camera::KnownInput& input : inputs) {
         values.emplace_back(&input.value, 1);
     }
-    layers_.layers().at(layer).rays.run(
-        rays::Points{{&point.x, 1}, {&point.y, 1}, time_, values}, scratch_, batch_);
+    layers_.layers().at(layer).rays.run(rays::Points{{&point.x, 1}, {&point.y, 1}, time_, values},
+                                        scratch_, batch_);
     if (!batch_.valid(0)) {
         return std::nullopt;
     }

@@ -30,7 +30,9 @@ V2d SampleGrid::at(std::size_t index) const {
 std::vector<Imath::Box2d> SampleGrid::cells_of(const std::vector<std::size_t>& samples) const {
     const auto side = [](double from, double cell, std::size_t number, std::size_t count,
                          double whole) {
-        return number == 0 ? 0.0 : number == count ? whole : from + cell * (static_cast<double>(number) - 0.5);
+        return number == 0       ? 0.0
+               : number == count ? whole
+                                 : from + cell * (static_cast<double>(number) - 0.5);
     };
     const auto left = [&](std::size_t c) {
         return side(first().x, step, c, columns, picture_width);
