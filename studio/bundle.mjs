@@ -7,13 +7,13 @@
 // with what it loads later, studio.css and licences.txt, which has the licences of all that is bundled.
 
 import { copyFileSync, mkdirSync, readdirSync, rmSync, statSync, writeFileSync } from "node:fs";
-import { dirname, join } from "node:path";
+import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
 import { licences } from "./licences.mjs";
 
 const here = dirname(fileURLToPath(import.meta.url));
-const folder = process.argv[2] ?? join(here, "../build/studio");
+const folder = resolve(process.argv[2] ?? join(here, "../build/studio")); // The bundler has another working folder.
 mkdirSync(folder, { recursive: true });
 const [named, there] = ["package-lock.json", "node_modules/.package-lock.json"].map((file) => statSync(join(here, file)));
 if (named.mtimeMs > there.mtimeMs) {
