@@ -61,6 +61,11 @@ class Solve(support.CommandTest):
         self.assertAlmostEqual(math.degrees(yaw["value"]), 20, 6)
         self.assertEqual(fov["first"], math.radians(60))
         self.assertTrue(0 < fov["deviation"] < 0.01)
+        (first, both), (again, second) = document["covariance"]
+        self.assertAlmostEqual(first ** 0.5 / fov["deviation"], 1, 12)
+        self.assertAlmostEqual(second ** 0.5 / yaw["deviation"], 1, 12)
+        self.assertAlmostEqual(both / again, 1, 12)
+        self.assertTrue(0 < abs(both) < fov["deviation"] * yaw["deviation"])
         self.assertEqual([row["name"] for row in document["constraints"]],
                          ["at door", "at gable", "at sign"])
         for row in document["constraints"]:
@@ -240,6 +245,7 @@ class Solve(support.CommandTest):
         self.assertEqual(few[:2], [
             "the constraints are 2 equations, too few for 3 unknown numbers",
             "the constraints do not determine 'fov', 'yaw' and 'px'"])
+        self.assertEqual(self.solved()["covariance"], 3 * [3 * [None]])
 
     def test_outputs(self):
         self.refused("solve", "photo.cam", "--with", "marks.yml", "-o", "photo.cam", code=2,

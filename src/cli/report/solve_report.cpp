@@ -107,6 +107,22 @@ std::string uncertainty_text(const app::SolveReport& report) {
                        errors->most, errors->median);
 }
 
+// Null for products with an unknown that is not determined.
+json covariance_json(const solve::Solution& solution) {
+    const std::size_t count = solution.values.size();
+    json made = json::array();
+    for (std::size_t i = 0; i < count; ++i) {
+        json row = json::array();
+        for (std::size_t j = 0; j < count; ++j) {
+            const bool known =
+                std::isfinite(solution.deviations[i]) && std::isfinite(solution.deviations[j]);
+            row.push_back(known ? json(solution.covariance[i * count + j]) : json());
+        }
+        made.push_back(std::move(row));
+    }
+    return made;
+}
+
 json pose_json(const solve::Pose& pose) {
     return {{"rotation", {pose.rotation.x, pose.rotation.y, pose.rotation.z}},
             {"translation", {pose.translation.x, pose.translation.y, pose.translation.z}}};
@@ -136,6 +152,7 @@ json to_json(const app::SolveReport& report) {
                   {"iterations", solution.iterations},
                   {"cost", solution.cost},
                   {"parameters", json::array()},
+                  {"covariance", covariance_json(solution)},
                   {"correlations", json::array()},
                   {"targets", json::array()},
                   {"marks", json::array()},
