@@ -59,8 +59,9 @@ struct DiagnoseSettings {
     std::size_t max_samples = 65536;
     double time = 0.0;  ///< The value of t in the camera's formulas.
     /// The distance of the measurement from the ray origins, along the rays. Nothing means
-    /// directions only if all rays start at one point, otherwise a quarter of the diagonal of the
-    /// bounding box of the origins.
+    /// directions only if all rays start at one point, otherwise where a lens is focused in the
+    /// middle of the picture or, without one, a quarter of the diagonal of the bounding box of the
+    /// origins.
     std::optional<double> distance;
 };
 

@@ -110,6 +110,31 @@ TEST(Measures, OriginsHaveTheirMiddleAndExtent) {
     }
 }
 
+// Near to the glass, the rays through the middle of what passes cross each other.
+TEST(Measures, ALensIsMeasuredWhereItIsFocused) {
+    const auto report_through = [](const std::string& lens, const std::string& eye = "sphere(1)") {
+        return report_on(
+            camera_of("camera a { aspect 4/3  map u = 0.3 .. -0.3, v = square  eye " + eye +
+                      "  toward plane((1, 0, 0))  look absolute  lens " + lens + " }"),
+            320, 240);
+    };
+    EXPECT_NEAR(*report_through("(radius = 0.1, focus = 7)").distance, 7.0, 1e-9);
+    const CameraReport far = report_through("(radius = 0.1, focus = 1e300)");
+    EXPECT_EQ(*far.distance, far.origin_extent / 4);
+    // The front of the glass is 19.95 mm nearer than the entrance pupil, whose width is 24.81 mm
+    // and that of the exit pupil 26.54 mm: so m = f/(s - f/p) for the distance s = 2 from it. The
+    // zone of the aperture that is traced is sharp 6 mm nearer than the axis.
+    const CameraReport glass =
+        report_through("table(\"dgauss.dat\", focus = 2, f_number = 8)", "point");
+    const double from_glass = 2.0 - 0.01995;
+    EXPECT_NEAR(*glass.distance, from_glass, 0.01);
+    const double reduced = 1.0 / (2.0 - 0.05036 * 24.81 / 26.54);
+    const double there = 320 / 0.6 * reduced * from_glass / *glass.distance;
+    const std::size_t middle = glass.samples.size() / 2 + glass.grid.columns / 2;
+    EXPECT_NEAR(glass.samples[middle].magnification / there, 1.0, 1e-3);
+    EXPECT_EQ(words(glass), "");
+}
+
 TEST(Measures, ASmallEyeIsNoPoint) {
     const auto eye = [](const std::string& formula) {
         return report_on(camera_of("camera e { map u = 1 .. -1, v = -1 .. 1\n"

@@ -4,8 +4,11 @@
 #include "balcony/diagnose.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
+#include <string>
 
 #include <Imath/ImathBox.h>
 #include <fmt/format.h>
@@ -13,6 +16,7 @@
 #include "analyse/measure/findings.hpp"
 #include "analyse/measure/jacobian.hpp"
 #include "balcony/median.hpp"
+#include "balcony/rays.hpp"
 
 namespace balcony::analyse {
 
@@ -36,6 +40,43 @@ Imath::Box3d box_of_origins(const std::vector<Ray>& rays) {
         }
     }
     return box;
+}
+
+// Where the rays of a lens meet that show the middle of the picture, along the one through the
+// middle of the lens. Nothing if they do not, or if only a scene tells where.
+std::optional<double> distance_of_focus(const camera::Camera& camera,
+                                        const DiagnoseSettings& settings, const Work& work) {
+    constexpr double beside = 0.4;  // Of the half side of the square that a lens maps.
+    constexpr double parallel = 1e-9;
+    if (!camera.parts().lens) {
+        return std::nullopt;
+    }
+    const auto program =
+        rays::compile(camera, settings.width, settings.height,
+                      {.tiles = false,
+                       .points = true,
+                       .inputs = {{std::string(camera::lens_input_x), program::Rate::pixel},
+                                  {std::string(camera::lens_input_y), program::Rate::pixel}}},
+                      work.stop());
+    if (!program) {
+        return std::nullopt;
+    }
+    const std::array x{0.5 * settings.width, 0.5 * settings.width};
+    const std::array y{0.5 * settings.height, 0.5 * settings.height};
+    const std::array<double, 2> lens_x{0.0, beside};
+    const std::array<double, 2> lens_y{0.0, 0.0};
+    const std::array<std::span<const double>, 2> inputs{lens_x, lens_y};
+    rays::Scratch scratch;
+    rays::RayBatch batch;
+    program->run(rays::Points{x, y, settings.time, inputs}, scratch, batch);
+    if (!batch.valid(0) || !batch.valid(1)) {
+        return std::nullopt;
+    }
+    const V3d across = batch.direction(0).cross(batch.direction(1));
+    const double distance =
+        (batch.origin(1) - batch.origin(0)).cross(batch.direction(1)).dot(across) /
+        across.length2();
+    return across.length() > parallel && distance > 0.0 ? std::optional(distance) : std::nullopt;
 }
 
 void measure_origins(const std::vector<Ray>& rays, const DiagnoseSettings& settings,
@@ -124,6 +165,9 @@ Result<CameraReport> report_of(const camera::Camera& camera, const DiagnoseSetti
 
     report.samples.resize(rays.size());
     measure_origins(rays, settings, report);
+    if (!settings.distance && report.distance) {
+        report.distance = distance_of_focus(camera, settings, work).value_or(*report.distance);
+    }
     std::size_t valid = 0;
     for (std::size_t i = 0; i < rays.size(); ++i) {
         measure(rays[i], report.distance, report.samples[i]);
