@@ -20,6 +20,7 @@
 #include <Imath/ImathVec.h>
 
 #include "balcony/base.hpp"
+#include "balcony/camera_export.hpp"
 #include "balcony/live.hpp"
 #include "balcony/prepared_scene.hpp"
 
@@ -61,6 +62,7 @@ struct Appearance {
 /// What app::check() finds about a camera of a picture and its scene.
 struct Remark {
     std::string camera{};  ///< As app::CameraCheck::title(); empty if the picture is one camera.
+    std::string name{};    ///< What it is, in some words: "no ray".
     bool defect = false;   ///< Otherwise it is worth knowing, but may well be wanted.
     std::string message{};
     std::string remedy{};  ///< May be empty.
@@ -83,6 +85,8 @@ public:
     /// camera, the diagnostics say why, and there are no answers.
     [[nodiscard]] Diagnostics show(const Shown& shown, const std::stop_token& stop = {});
 
+    /// The name of the camera or picture that is shown; empty without one.
+    [[nodiscard]] std::string camera() const;
     /// What the pixel of a point shows, by the ray through its centre; nothing if there is no ray.
     /// A point that is not in the picture is an error of Kind::usage.
     [[nodiscard]] Result<std::optional<Sight>> at(const Imath::V2d& point,
@@ -98,6 +102,11 @@ public:
                                                             const std::stop_token& stop = {});
     /// What is wrong with the cameras of the picture, or worth knowing, defects first.
     [[nodiscard]] Result<std::vector<Remark>> check(const std::stop_token& stop = {});
+    /// The camera that is shown, as `balcony export` writes it with its values. Of the request, the
+    /// comment and the size are not read, and the title is what comes before the values. A picture
+    /// with layers is an error.
+    [[nodiscard]] Result<app::CameraExport> export_camera(app::CameraExportRequest request,
+                                                          const std::stop_token& stop = {});
 
     /// Renders what is shown, in a size and a quality of a request, as
     /// app::PreparedScene::render().

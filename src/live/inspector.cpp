@@ -26,7 +26,12 @@ struct Inspector::State {
 
     [[nodiscard]] std::optional<Sight> sight(const render::Film& film, std::size_t i,
                                              const std::stop_token& stop);
-    [[nodiscard]] Result<lang::OpenPicture> closed_picture(const std::stop_token& stop);
+    /// With all of its values, and these parameters open; all that can be without a list.
+    [[nodiscard]] Result<lang::OpenPicture> picture(
+        const std::optional<std::vector<std::string>>& open, const std::stop_token& stop);
+    [[nodiscard]] Result<lang::OpenPicture> closed_picture(const std::stop_token& stop) {
+        return picture(std::vector<std::string>(), stop);
+    }
     [[nodiscard]] Diagnostics make_places(const std::stop_token& stop);
 };
 
@@ -111,6 +116,10 @@ std::optional<Sight> Inspector::State::sight(const render::Film& film, std::size
     return made;
 }
 
+std::string Inspector::camera() const {
+    return state_->shown ? state_->camera.picture().opened().picture.name() : std::string();
+}
+
 Result<std::optional<Sight>> Inspector::at(const V2d& point, const std::stop_token& stop) {
     if (!state_->shown) {
         return nothing_is_shown();
@@ -161,11 +170,10 @@ Result<std::vector<std::optional<Sight>>> Inspector::grid(std::size_t columns, s
     return made;
 }
 
-// The picture with all of its values, none of them open.
-Result<lang::OpenPicture> Inspector::State::closed_picture(const std::stop_token& stop) {
-    const std::vector<std::string> none;
+Result<lang::OpenPicture> Inspector::State::picture(
+    const std::optional<std::vector<std::string>>& open, const std::stop_token& stop) {
     return scene.picture(source_of(*shown, folder), shown->camera,
-                         camera.picture().all_closed(shown->values), stop, none);
+                         camera.picture().all_closed(shown->values), stop, open);
 }
 
 Diagnostics Inspector::State::make_places(const std::stop_token& stop) {
@@ -228,6 +236,34 @@ Result<std::vector<Remark>> Inspector::check(const std::stop_token& stop) {
         return one.defect && !other.defect;
     });
     return made;
+}
+
+Result<app::CameraExport> Inspector::export_camera(app::CameraExportRequest request,
+                                                   const std::stop_token& stop) {
+    State& state = *state_;
+    if (!state.shown) {
+        return nothing_is_shown();
+    }
+    Result<lang::OpenPicture> made = state.picture(app::parameters_for(*request.target), stop);
+    if (!made) {
+        return std::move(made.diagnostics);
+    }
+    const camera::Camera* const camera = made->picture.only_camera();
+    if (camera == nullptr) {
+        return error(fmt::format("'{}' is a picture with layers, but one camera is exported",
+                                 made->picture.name()),
+                     {}, "show one of its cameras");
+    }
+    for (const lang::Override& one : state.camera.picture().all_closed(state.shown->values)) {
+        request.title += fmt::format(" --set {}={}", one.name, one.expression);
+    }
+    lang::Workspace workspace;
+    request.comment =
+        app::comment_of(workspace, source_of(*state.shown, state.folder), camera->name());
+    request.size = state.shown->size;
+    return app::export_camera(
+        {*camera, std::move(made->open), std::move(made->closed), std::move(made->numbers)},
+        request);
 }
 
 app::Report Inspector::render(const app::Request& request, const app::Observer& observer,

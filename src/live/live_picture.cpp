@@ -99,22 +99,21 @@ Dragged LivePicture::drag(const Drag& drag, const std::vector<Value>& values, Ax
 }
 
 std::vector<lang::Override> LivePicture::closed_among(const std::vector<Value>& values) const {
-    std::vector<lang::Override> closed;
-    for (const Value& value : values) {
-        if (find(opened_.open, value.parameter) == nullptr) {
-            const lang::OpenParameter* const number = find(opened_.numbers, value.parameter);
-            closed.push_back({value.parameter,
-                              lang::literal(value.value, number != nullptr && number->is_angle)});
-        }
-    }
-    return closed;
+    std::vector<Value> closed = values;
+    std::erase_if(closed, [this](const Value& value) {
+        return find(opened_.open, value.parameter) != nullptr;
+    });
+    return all_closed(closed);
 }
 
 std::vector<lang::Override> LivePicture::all_closed(const std::vector<Value>& values) const {
-    std::vector<lang::Override> closed = closed_among(values);
-    for (std::size_t i = 0; i < inputs_.size(); ++i) {
-        const lang::OpenParameter& one = opened_.open[i];
-        closed.push_back({one.name, lang::literal(inputs_[i].value, one.is_angle)});
+    std::vector<lang::Override> closed;
+    for (const Value& value : values) {
+        const lang::OpenParameter* const open = find(opened_.open, value.parameter);
+        const lang::OpenParameter* const one =
+            open != nullptr ? open : find(opened_.numbers, value.parameter);
+        closed.push_back(
+            {value.parameter, lang::literal(value.value, one != nullptr && one->is_angle)});
     }
     return closed;
 }

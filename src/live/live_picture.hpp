@@ -57,8 +57,7 @@ public:
     void move(const std::vector<Value>& values, Diagnostics& found);
     /// The values of parameters that are not open, for another camera.
     [[nodiscard]] std::vector<lang::Override> closed_among(const std::vector<Value>& values) const;
-
-    /// The same with those to which the picture was moved, for one in which none is open.
+    /// All of them, for a picture in which none is open.
     [[nodiscard]] std::vector<lang::Override> all_closed(const std::vector<Value>& values) const;
 
     /// What follows a drag, from these values. `axes` are those of its points.

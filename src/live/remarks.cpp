@@ -3,6 +3,8 @@
 
 #include "live/remarks.hpp"
 
+#include <algorithm>
+#include <string>
 #include <utility>
 
 namespace balcony::live {
@@ -11,7 +13,10 @@ void add_remarks(const app::CameraCheck& check, std::vector<Remark>& remarks) {
     const bool is_whole = check.layers.empty();
     const std::string camera = is_whole ? "" : check.title();
     for (const analyse::Finding& one : check.report.findings) {
-        Remark& made = remarks.emplace_back(Remark{camera, one.defect, one.message, one.remedy});
+        std::string name(analyse::name_of(one.kind));
+        std::replace(name.begin(), name.end(), '_', ' ');
+        Remark& made = remarks.emplace_back(
+            Remark{camera, std::move(name), one.defect, one.message, one.remedy});
         if (is_whole) {
             made.areas = check.report.grid.cells_of(one.samples);
             made.example = one.place.point;
@@ -21,7 +26,8 @@ void add_remarks(const app::CameraCheck& check, std::vector<Remark>& remarks) {
         return;
     }
     for (const app::CameraCheck::InScene::Finding& one : check.in_scene->findings()) {
-        Remark& made = remarks.emplace_back(Remark{camera, one.defect, one.message, one.remedy});
+        Remark& made = remarks.emplace_back(
+            Remark{camera, std::string(one.name), one.defect, one.message, one.remedy});
         if (is_whole) {
             made.example = one.at;
         }

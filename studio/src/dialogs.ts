@@ -104,6 +104,30 @@ export async function showText(title: string, text: string): Promise<void> {
     await ask(title, html`<textarea readonly rows="8" cols="80" aria-label=${title} .value=${text}></textarea>`, []);
 }
 
+/** A text to copy or to save as a file, with what is to be known about it. Says what was done. */
+export async function offerText(file: string, text: string, remarks: string[]): Promise<string | null> {
+    const answer = await ask(
+        file,
+        html`
+            ${remarks.map((words) => html`<p class="warning">${words}</p>`)}
+            <pre tabindex="0" aria-label="Text of ${file}">${text}</pre>
+        `,
+        [["copy", "Copy"], ["save", "Download"]],
+    );
+    if (answer?.get("button") === "save") download(file, text);
+    if (answer?.get("button") !== "copy") return null;
+    await navigator.clipboard.writeText(text);
+    return `Copied ${file}`;
+}
+
+function download(file: string, text: string): void {
+    const link = document.createElement("a");
+    link.href = URL.createObjectURL(new Blob([text], { type: "text/plain" }));
+    link.download = file;
+    link.click();
+    URL.revokeObjectURL(link.href);
+}
+
 const keys: [string, string][] = [
     ["Ctrl+S", "save the file"],
     ["Ctrl+Enter", "render in full quality"],

@@ -56,6 +56,15 @@ export interface About {
     size: [number, number];
     /** What the server can do beyond text and view. */
     requests?: string[];
+    /** That cameras are exported to. */
+    languages?: { name: string; meaning: string }[];
+}
+
+/** A camera in another language. */
+export interface Exported {
+    text: string;
+    file: string;
+    diagnostics: FileDiagnostic[];
 }
 
 export interface RenderOrder {
@@ -194,6 +203,7 @@ export interface Seen {
 /** What check finds about a camera of the picture. */
 export interface Remark {
     camera: string;
+    name: string;
     defect: boolean;
     message: string;
     remedy: string;

@@ -51,7 +51,7 @@ export function remarkList(inspection: Inspection) {
                 @focus=${() => inspection.choose(index)}
                 @blur=${() => inspection.choose(null)}
             >
-                ${one.camera ? html`<span class="quiet">${one.camera}:</span> ` : nothing}${one.message}
+                <b>${one.name}</b> ${one.camera ? html`<span class="quiet">${one.camera}:</span> ` : nothing}${one.message}
                 ${one.remedy ? html`<span class="quiet">– ${one.remedy}</span>` : nothing}
             </li>`,
         )}

@@ -13,6 +13,7 @@ import "./camera_space";
 import { askForName, askForSize, confirm, showKeys } from "./dialogs";
 import type { CameraEditor } from "./editor";
 import "./editor";
+import { exportCamera } from "./exports";
 import { copyCommand, startRender, stopRender } from "./full_render";
 import { HandleHand } from "./handle_hand";
 import type { Pair } from "./handle_marks";
@@ -202,7 +203,8 @@ export class BalconyStudio extends LitElement implements Page {
         save: () => this.attempt(this.save()),
         render: () => this.attempt(startRender(this.session, this.pixels).then(() => this.changed())),
         stop: () => this.attempt(stopRender(this.session)),
-        command: () => this.attempt(copyCommand(this.session).then((words) => words && this.say(words))),
+        command: () => this.attempt(copyCommand(this.session)),
+        export: (language) => this.attempt(exportCamera(this.session, language)),
         expose: () => this.session.changeView({ exposure: true }),
         format: () => this.attempt(this.session.format()),
         theme: (theme) => {
@@ -233,8 +235,9 @@ export class BalconyStudio extends LitElement implements Page {
         handles: () => this.querySelector<PictureHandles>("picture-handles")?.focusFirst(),
     };
 
-    private attempt(action: Promise<unknown>): void {
-        action.catch((failure: unknown) => this.sayFailure(failure));
+    /** Says the words that come of it, if any. */
+    private attempt(action: Promise<string | null | void>): void {
+        action.then((words) => words && this.say(words)).catch((failure: unknown) => this.sayFailure(failure));
     }
 
     private sayFailure(failure: unknown): void {

@@ -5,6 +5,7 @@
 
 import { html, nothing } from "lit";
 import { live } from "lit/directives/live.js";
+import { exportChoice } from "./exports";
 import type { Inspection } from "./inspection";
 import { type OverlayName, overlayNames } from "./picture_overlays";
 import { nameOf, type SizeChoice, widths } from "./picture_size";
@@ -21,6 +22,7 @@ export interface ToolbarActions {
     render(): void;
     stop(): void;
     command(): void;
+    export(language: string): void;
     expose(): void;
     format(): void;
     theme(theme: Theme): void;
@@ -125,6 +127,7 @@ function menu(session: Session, theme: Theme, inspection: Inspection, actions: T
                 ${item("expose", "Expose for this picture", "", actions.expose)}
                 ${session.can("command") ? item("command", "Copy the command line", "", actions.command) : nothing}
                 ${session.can("view/grid") ? overlayChoice(inspection, actions) : nothing}
+                ${session.can("export") ? exportChoice(session, actions.export) : nothing}
                 <div class="group themes" role="group" aria-label="Colours">
                     <span class="heading">Colours</span>
                     ${themes.map(

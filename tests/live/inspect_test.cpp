@@ -224,6 +224,7 @@ TEST_F(InspectTest, RemarksHaveTheirPlaces) {
     const Remark& one = remarks->front();
     EXPECT_TRUE(one.defect);
     EXPECT_EQ(one.camera, "");
+    EXPECT_EQ(one.name, "no ray");
     EXPECT_EQ(one.message, "25 % of the picture has no ray, in one region");
     ASSERT_EQ(one.areas.size(), 1U);
     EXPECT_EQ(one.areas[0], Imath::Box2d({48, 0}, {64, 48}));
@@ -233,6 +234,7 @@ TEST_F(InspectTest, RemarksHaveTheirPlaces) {
     const auto others = inspector_->check();
     ASSERT_TRUE(others) << to_text(others.diagnostics);
     ASSERT_EQ(others->size(), 1U);
+    EXPECT_EQ(others->front().name, "never seen");
     EXPECT_EQ(others->front().message, "1 object: wall");
     EXPECT_FALSE(others->front().defect);
     EXPECT_TRUE(others->front().areas.empty());

@@ -69,3 +69,35 @@ test("the command line that renders what is shown is copied", async () => {
     assert.match(line, /^balcony render /);
     assert.ok(line.includes(cameraFile.split("/").at(-1)), line);
 });
+
+test("a camera is exported from the menu, copied and downloaded", async () => {
+    const page = await studio.open();
+    const choose = async (id) => {
+        await page.tab.locator("summary").click();
+        await page.tab.locator(id).click();
+    };
+    await choose("#export-glsl");
+    const dialog = page.tab.getByRole("dialog", { name: "walls.glsl" });
+    const made = await dialog.locator("pre").textContent();
+    assert.match(made, /All walls of a room in one picture\./);
+    assert.match(made, /walls_ray\(/);
+    await dialog.getByRole("button", { name: "Copy" }).click();
+    await page.tab.getByText("Copied walls.glsl").waitFor();
+    assert.equal(await page.tab.evaluate(() => navigator.clipboard.readText()), made);
+    await choose("#export-numpy");
+    const [download] = await Promise.all([
+        page.tab.waitForEvent("download"),
+        page.tab.getByRole("dialog", { name: "walls.py" }).getByRole("button", { name: "Download" }).click(),
+    ]);
+    assert.equal(download.suggestedFilename(), "walls.py");
+    assert.match(readFileSync(await download.path(), "utf8"), /^# walls: .* from my camera\.cam:walls\.$/m);
+});
+
+test("a camera that cannot be exported says why", async () => {
+    const page = await studio.open();
+    await page.replace(`${text}picture both { layer walls layer straight { place (0, 0) .. (0.2, 0.2) } }\n`);
+    await page.untilFollowed();
+    await page.tab.locator("summary").click();
+    await page.tab.locator("#export-c").click();
+    await page.tab.getByText("is a picture with layers, but one camera is exported").waitFor();
+});

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "balcony/export.hpp"
+#include "balcony/camera_export.hpp"
 #include "balcony/inputs.hpp"
 #include "balcony/lang.hpp"
 #include "balcony/output_file.hpp"
@@ -77,13 +77,14 @@ void check_inverse(CameraExportOptions& options, const app::GivenWords&, Diagnos
 
 // The parameters that stay open; nothing for all of them.
 std::optional<std::vector<std::string>> open_names(const CameraExportOptions& options) {
-    const bool all = options.parameters == "all" ||
-                     (options.parameters == "auto" && options.target->opens_parameters);
-    if (all) {
+    if (options.parameters == "auto") {
+        return app::parameters_for(*options.target);
+    }
+    if (options.parameters == "all") {
         return std::nullopt;
     }
     std::vector<std::string> names;
-    if (options.parameters == "auto" || options.parameters == "none") {
+    if (options.parameters == "none") {
         return names;
     }
     std::string_view rest = options.parameters;
@@ -95,19 +96,6 @@ std::optional<std::vector<std::string>> open_names(const CameraExportOptions& op
     return names;
 }
 
-std::string comment_of(lang::Workspace& workspace, const app::CameraArgument& wanted,
-                       const std::string& camera) {
-    const auto described = workspace.describe(wanted.file);
-    if (described) {
-        for (const lang::Description& description : *described) {
-            if (description.name == camera) {
-                return description.comment;
-            }
-        }
-    }
-    return {};
-}
-
 std::string title_of(const CameraExportOptions& options) {
     std::string title = options.camera;
     for (const std::string& value : options.set) {
@@ -116,100 +104,53 @@ std::string title_of(const CameraExportOptions& options) {
     return title;
 }
 
-struct ReadyCamera {
-    bridge::ExportSource source;
-    std::vector<std::string> closed;
-};
-
-Result<ReadyCamera> load(const CameraExportOptions& options, lang::Workspace& workspace) {
-    const Result<app::CameraArgument> wanted = app::read_camera(options.camera, options.set);
-    if (!wanted) {
-        return wanted.diagnostics;
-    }
-    Result<lang::OpenCamera> opened = workspace.make_open_camera(
-        wanted->file, wanted->name, wanted->overrides, open_names(options));
-    if (!opened) {
-        return std::move(opened.diagnostics);
-    }
-    ReadyCamera made{{opened->camera,
-                      {},
-                      title_of(options),
-                      comment_of(workspace, *wanted, opened->camera.name())},
-                     std::move(opened->closed)};
-    for (const lang::OpenParameter& parameter : opened->open) {
-        made.source.parameters.push_back({parameter.name, lang::parameter_input(parameter.name),
-                                          parameter.written, parameter.value, parameter.is_angle});
-    }
-    if (opened->camera.parts().time) {
-        opened.diagnostics.push_back(
-            warning(fmt::format("the rays of the camera '{}' have times of their own, which other "
-                                "programs do not know",
-                                opened->camera.name()),
-                    {}, "all of a picture is seen at the time of that program"));
-    }
-    return {std::move(made), std::move(opened.diagnostics)};
-}
-
-constexpr double visible = 0.1;  // Pixels.
-
-void judge(const bridge::SinglePrecision& found, Diagnostics& diagnostics) {
-    if (found.largest > visible) {
-        diagnostics.push_back(warning(
-            fmt::format("in single precision, rays move by up to {:.2g} pixels (at x = {}, y = {}; "
-                        "99 % move by less than {:.2g})",
-                        found.largest, found.x, found.y, found.usual),
-            {},
-            "move the camera's world closer to the origin, or use a target with double "
-            "precision"));
-    }
-    if (found.lost > 0) {
-        diagnostics.push_back(warning(fmt::format(
-            "in single precision, {} of {} rays are there that are not in double precision, or the "
-            "other way round",
-            found.lost, found.rays)));
-    }
-}
-
 nlohmann::json precision_json(const bridge::SinglePrecision& found) {
     return {{"rays", found.rays},        {"lost", found.lost}, {"largest_pixels", found.largest},
             {"p99_pixels", found.usual}, {"x", found.x},       {"y", found.y}};
 }
 
+Result<app::CameraExport> make_export(const CameraExportOptions& options,
+                                      lang::Workspace& workspace) {
+    const Result<app::CameraArgument> wanted = app::read_camera(options.camera, options.set);
+    if (!wanted) {
+        return wanted.diagnostics;
+    }
+    const Result<lang::OpenCamera> opened = workspace.make_open_camera(
+        wanted->file, wanted->name, wanted->overrides, open_names(options));
+    if (!opened) {
+        return opened.diagnostics;
+    }
+    const auto [width, height] = options.size.resolve(opened->camera.parts().aspect);
+    Result<app::CameraExport> made = app::export_camera(
+        *opened, {.target = options.target,
+                  .title = title_of(options),
+                  .comment = app::comment_of(workspace, wanted->file, opened->camera.name()),
+                  .single = options.precision == "single",
+                  .inverse = options.inverse,
+                  .axes = options.axes,
+                  .size = {width, height}});
+    made.diagnostics.insert(made.diagnostics.begin(), opened.diagnostics.begin(),
+                            opened.diagnostics.end());
+    return made;
+}
+
 // The text that the camera becomes.
 std::string make_text(const CameraExportOptions& options, Answer& answer) {
     lang::Workspace workspace;
-    const Result<ReadyCamera> ready = load(options, workspace);
-    if (!answer.add(ready.diagnostics) ||
+    Result<app::CameraExport> made = make_export(options, workspace);
+    if (!answer.add(made.diagnostics) ||
         !answer.add(app::check_overwrites(options.output, workspace.files()))) {
         return {};
     }
-    bridge::ExportOptions wanted;
-    wanted.single = options.precision == "single" || options.target->always_single;
-    wanted.inverse = options.inverse;
-    wanted.axes = options.axes;
-    if (wanted.single) {
-        const auto [width, height] = options.size.resolve(ready->source.camera.parts().aspect);
-        wanted.judged_in = {width, height};
-    }
-    Result<bridge::ExportedCamera> exported =
-        bridge::export_camera(*options.target, ready->source, wanted);
-    if (!answer.add(exported.diagnostics)) {
-        return {};
-    }
-    nlohmann::json open = nlohmann::json::array();
-    for (const bridge::ExportParameter& parameter : ready->source.parameters) {
-        open.push_back(parameter.name);
-    }
-    answer.facts["parameters"] = {{"open", open}, {"closed", ready->closed}};
+    answer.facts["parameters"] = {{"open", made->open}, {"closed", made->closed}};
     std::string precision;
-    if (const auto& found = exported->single) {
-        judge(*found, answer.diagnostics);
+    if (const auto& found = made->single) {
         answer.facts["single_precision"] = precision_json(*found);
         precision =
             fmt::format("; single precision moves rays by {:.1g} pixels at most", found->largest);
     }
     answer.text = fmt::format("{}: exported{}\n", printable(options.output), precision);
-    return std::move(exported->text);
+    return std::move(made->text);
 }
 
 ExitCode export_camera(const CameraExportOptions& options) {

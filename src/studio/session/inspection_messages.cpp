@@ -3,8 +3,10 @@
 
 #include "studio/session/inspection_messages.hpp"
 
+#include <string>
 #include <utility>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "lsp/rpc.hpp"
@@ -80,6 +82,7 @@ json remarks_answer(live::Inspector& inspector, const json& /*asked*/,
         }
         remarks.push_back(
             {{"camera", one.camera},
+             {"name", one.name},
              {"defect", one.defect},
              {"message", one.message},
              {"remedy", one.remedy},
@@ -87,6 +90,29 @@ json remarks_answer(live::Inspector& inspector, const json& /*asked*/,
              {"at", one.example ? json{one.example->x, one.example->y} : json(nullptr)}});
     }
     return {{"remarks", std::move(remarks)}};
+}
+
+json languages() {
+    json made = json::array();
+    for (const bridge::ExportTarget& one : bridge::export_targets()) {
+        made.push_back({{"name", one.name}, {"meaning", one.meaning}});
+    }
+    return made;
+}
+
+json export_answer(live::Inspector& inspector, const json& asked, const std::stop_token& stop) {
+    const std::string language = asked.at("language").get<std::string>();
+    const bridge::ExportTarget* const target = bridge::find_export_target(language);
+    if (target == nullptr) {
+        throw lsp::Refusal{lsp::invalid_params,
+                           fmt::format("cameras are not exported to '{}'", language)};
+    }
+    const std::string camera = inspector.camera();
+    const auto made = inspector.export_camera(
+        {.target = target, .title = asked["file"].get<std::string>() + ":" + camera}, stop);
+    return {{"text", required(made).text},
+            {"file", fmt::format("{}{}", camera, target->ending)},
+            {"diagnostics", told_of(made.diagnostics)}};
 }
 
 json places_answer(live::Inspector& inspector, const json& asked, const std::stop_token& stop) {

@@ -25,5 +25,10 @@ namespace balcony::studio {
 /// What is wrong with the cameras of the picture, or worth knowing.
 [[nodiscard]] nlohmann::json remarks_answer(live::Inspector& inspector, const nlohmann::json& asked,
                                             const std::stop_token& stop);
+/// The camera of the picture in another language.
+[[nodiscard]] nlohmann::json export_answer(live::Inspector& inspector, const nlohmann::json& asked,
+                                           const std::stop_token& stop);
+/// The languages that there are.
+[[nodiscard]] nlohmann::json languages();
 
 }  // namespace balcony::studio

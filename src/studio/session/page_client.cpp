@@ -50,7 +50,7 @@ const PageClient::TextRow PageClient::text_rows[] = {
     {"text/set", values_answer},
 };
 
-// Requests about the picture that is shown.
+// Requests about the picture that is shown, with the name of the `file` that it comes from.
 struct PageClient::PictureRow {
     std::string_view method;
     Inspection& (Studio::*by)();
@@ -58,10 +58,9 @@ struct PageClient::PictureRow {
 };
 
 const PageClient::PictureRow PageClient::picture_rows[] = {
-    {"view/at", &Studio::inspection, sight_answer},
-    {"view/grid", &Studio::inspection, grid_answer},
-    {"view/find", &Studio::search, places_answer},
-    {"view/check", &Studio::checks, remarks_answer},
+    {"view/at", &Studio::inspection, sight_answer}, {"view/grid", &Studio::inspection, grid_answer},
+    {"view/find", &Studio::search, places_answer},  {"view/check", &Studio::checks, remarks_answer},
+    {"export", &Studio::search, export_answer},
 };
 
 namespace {
@@ -202,7 +201,9 @@ void PageClient::ask(const TextRow& row, const json& id, const json& asked) {
 }
 
 void PageClient::ask(const PictureRow& row, const json& id, const json& asked) {
-    (studio_.*row.by)().ask([answer = row.answer, asked, reply = replying(id)](
+    json about = asked;
+    about["file"] = studio_.text().file().filename().string();
+    (studio_.*row.by)().ask([answer = row.answer, asked = std::move(about), reply = replying(id)](
                                 const auto& inspector, const std::stop_token& stop) {
         reply([&] { return answer(inspector(), asked, stop); });
     });

@@ -10,6 +10,7 @@
 #include "lsp/open_text.hpp"
 #include "lsp/rpc.hpp"
 #include "studio/session/command_line.hpp"
+#include "studio/session/inspection_messages.hpp"
 #include "studio/session/page_client.hpp"
 #include "studio/session/view_messages.hpp"
 #include "studio/web/access.hpp"
@@ -113,7 +114,8 @@ json Studio::about() const {
             {"camera", camera_},
             {"scene", options_.request.scene},
             {"readOnly", options_.is_read_only},
-            {"size", options_.size}};
+            {"size", options_.size},
+            {"languages", languages()}};
 }
 
 bool Studio::take_text(int version, const std::string& text, const PageClient& by) {
