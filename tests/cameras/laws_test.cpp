@@ -116,6 +116,7 @@ TEST_P(BuiltIn, IsMadeAtTheLimitsOfItsParametersAndNotBeyond) {
                                              "ods merge_to",
                                              "ods_stereo merge_from",
                                              "ods_stereo merge_to",
+                                             "portrait_lens distance",
                                              "vr180 merge_from",
                                              "vr180 merge_to"};
     for (const auto& parameter : description_of(GetParam()).parameters) {
