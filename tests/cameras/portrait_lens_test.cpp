@@ -62,8 +62,8 @@ TEST(PortraitLens, IsSharpAtItsDistance) {
     EXPECT_NEAR(miss(0.02) / miss(0.2), 0.01, 0.001);
 }
 
-// The outermost ray on the axis leaves at the focal length divided by twice the f-number, in metres;
-// steps of the lens are 1 % of it, and the spherical aberration of the pupil wide open 3 %.
+// The outermost ray on the axis leaves at the focal length divided by twice the f-number, in
+// metres; steps of the lens are 1 % of it, and the spherical aberration of the pupil wide open 3 %.
 TEST(PortraitLens, HasItsFNumber) {
     for (const double f_number : {2.2, 4.0, 16.0}) {
         LensRays rays(
