@@ -305,7 +305,7 @@ struct RayTimes {
 
 /// When the rays of a picture meet the scene while its own time t runs from the first to the last:
 /// these times, and those of the cameras that give their rays times of their own, at a grid of
-/// points that includes the borders of the picture.
+/// points that includes the borders of the picture. Inputs have the values of Parts::inputs.
 [[nodiscard]] Result<RayTimes> ray_times(const camera::Picture& picture, const RayTimes& times,
                                          const std::stop_token& stop = {});
 

@@ -24,6 +24,18 @@ void add_times(const Elements& elements, std::vector<expr::Expr>& times) {
     }
 }
 
+// With the values that the cameras know for their further inputs.
+std::vector<expr::Expr> with_known_inputs(const camera::Picture& picture, expr::Graph& graph,
+                                          const std::vector<expr::Expr>& times) {
+    std::vector<expr::Substitution> known;
+    for (const camera::ShownCamera& shown : camera::shown_cameras(picture)) {
+        for (const camera::KnownInput& input : shown.camera.parts().inputs) {
+            known.push_back({graph.input(input.name), graph.constant(input.value)});
+        }
+    }
+    return expr::substitute(graph, times, known);
+}
+
 }  // namespace
 
 Result<RayTimes> ray_times(const camera::Picture& picture, const RayTimes& times,
@@ -36,7 +48,8 @@ Result<RayTimes> ray_times(const camera::Picture& picture, const RayTimes& times
         if (roots.empty()) {
             return times;
         }
-        const Result<program::Program> made = program::Program::make(roots);
+        const Result<program::Program> made =
+            program::Program::make(with_known_inputs(picture, graph, roots));
         if (!made) {
             return made.diagnostics;
         }

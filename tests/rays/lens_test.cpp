@@ -415,6 +415,18 @@ TEST(RayTime, CoversAnInterval) {
     EXPECT_NEAR(times(with(pinhole, "time = 1/x"))[1], 455.0, 1e-9);  // 455 pixels wide
 }
 
+TEST(RayTime, CoversAnIntervalWithOpenParameters) {
+    const auto text = std::make_shared<const SourceText>(
+        "text",
+        "camera seen(duration = 2) {\n    map u = 1 .. -1, v = square\n    eye point(0, 0, 0)\n"
+        "    toward plane((1, 0, 0))\n    time = t + x*duration\n}\n");
+    const auto opened = lang::Workspace().make_open_picture(text, "seen");
+    ASSERT_TRUE(opened) << to_text(opened.diagnostics);
+    const auto found = ray_times(opened->picture, {1.0, 1.5});
+    ASSERT_TRUE(found) << to_text(found.diagnostics);
+    EXPECT_EQ((std::array{found->first, found->last}), (std::array{1.0, 3.5}));
+}
+
 TEST(RayTime, HasNoRayWhereItIsNotFinite) {
     const LensProbe probe(with(pinhole, "time = 1/(x - 0.5)"));
     EXPECT_FALSE(probe.central({0.5 * width, 10.5}).valid);
