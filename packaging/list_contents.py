@@ -4,7 +4,7 @@
 
 Prints what a program built from these sources contains, as an SPDX 2.3 document (JSON): Balcony, the
 libraries that NOTICE names, the Debian packages of further libraries that travel with it, and, with
-licences.txt of the page of the studio, the packages of npm that it names. The versions of Debian's are
+licences.txt of the pages, the packages of npm that it names. The versions of Debian's are
 those that are installed. DATE is in seconds since 1970.
 """
 
@@ -59,9 +59,9 @@ def described(name, licence):
 
 
 def packages_of_page(licences):
-    """The packages of npm in the page of the studio, as SPDX has them."""
-    for name, version, licence in re.findall(r"^(@?[a-z0-9/_.-]+) (\d+\.\d\S*): (\S+)$",
-                                             Path(licences).read_text(), re.MULTILINE):
+    """The packages of npm in the pages, as SPDX has them."""
+    found = re.findall(r"^(@?[a-z0-9/_.-]+) (\d+\.\d\S*): (\S+)$", Path(licences).read_text(), re.MULTILINE)
+    for name, version, licence in dict.fromkeys(found):  # Pages may share packages.
         archive = f"{name.split('/')[-1]}-{version}.tgz"
         yield {"SPDXID": f"SPDXRef-npm{re.sub('[^A-Za-z0-9.]', '-', f'-{name}')}", "name": name,
                "versionInfo": version, "supplier": "NOASSERTION",

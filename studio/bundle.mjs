@@ -6,20 +6,17 @@
 // Bundles the page into a folder, by default ../build/studio: index.html, icon.svg, studio.js
 // with what it loads later, studio.css and licences.txt, which has the licences of all that is bundled.
 
-import { copyFileSync, mkdirSync, readdirSync, rmSync, statSync, writeFileSync } from "node:fs";
+import { copyFileSync, mkdirSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
 import { licences } from "./licences.mjs";
+import { requirePackages } from "./packages.mjs";
 
 const here = dirname(fileURLToPath(import.meta.url));
 const folder = resolve(process.argv[2] ?? join(here, "../build/studio")); // The bundler has another working folder.
 mkdirSync(folder, { recursive: true });
-const [named, there] = ["package-lock.json", "node_modules/.package-lock.json"].map((file) => statSync(join(here, file)));
-if (named.mtimeMs > there.mtimeMs) {
-    console.error("The packages of the page are older than studio/package-lock.json: scripts/studio --setup gets them.");
-    process.exit(1);
-}
+requirePackages();
 // Names of files that are loaded later change with the sources.
 for (const file of readdirSync(folder)) if (file.endsWith(".js")) rmSync(join(folder, file));
 

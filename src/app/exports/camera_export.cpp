@@ -8,30 +8,11 @@
 #include <fmt/format.h>
 
 #include "app/words.hpp"
+#include "balcony/picture_shader.hpp"
 
 namespace balcony::app {
 
 namespace {
-
-constexpr double visible = 0.1;  // Pixels.
-
-void judge(const bridge::SinglePrecision& found, Diagnostics& diagnostics) {
-    if (found.largest > visible) {
-        diagnostics.push_back(warning(
-            fmt::format("in single precision, rays move by up to {:.2g} pixels (at x = {}, y = {}; "
-                        "99 % move by less than {:.2g})",
-                        found.largest, found.x, found.y, found.usual),
-            {},
-            "move the camera's world closer to the origin, or use a target with double "
-            "precision"));
-    }
-    if (found.lost > 0) {
-        diagnostics.push_back(warning(fmt::format(
-            "in single precision, {} of {} rays are there that are not in double precision, or the "
-            "other way round",
-            found.lost, found.rays)));
-    }
-}
 
 bridge::ExportSource source_of(const lang::OpenCamera& opened, const CameraExportRequest& request) {
     bridge::ExportSource source{opened.camera, {}, request.title, request.comment};
@@ -75,7 +56,8 @@ Result<CameraExport> export_camera(const lang::OpenCamera& opened,
         made.open.push_back(one.name);
     }
     if (made.single) {
-        judge(*made.single, found);
+        add(found,
+            bridge::single_precision_warnings(*made.single, "use a target with double precision"));
     }
     return {std::move(made), std::move(found)};
 }

@@ -3,41 +3,15 @@
 
 // A camera as a function of GLSL ES 3.00 (WebGL 2) and of desktop GLSL from 3.30 on.
 
-#include <cmath>
-
 #include <fmt/format.h>
 
+#include "bridge/glsl/glsl_words.hpp"
 #include "bridge/text/targets.hpp"
 #include "bridge/text/text_export.hpp"
 
 namespace balcony::bridge {
 
 namespace {
-
-// In these texts @ is the camera's name. GLSL leaves pow() of a negative number undefined.
-constexpr std::string_view glsl_power = R"(float @_power(float a, float b) {
-    float size = a == 0.0 ? (b == 0.0 ? 1.0 : b > 0.0 ? 0.0 : @_infinity()) : pow(abs(a), b);
-    float sign = b != floor(b) ? @_infinity() - @_infinity() : mod(b, 2.0) == 0.0 ? 1.0 : -1.0;
-    return a < 0.0 ? sign * size : size;
-}
-)";
-
-constexpr Spellings glsl_spellings = spellings({
-    standard(Op::modulo, "mod"),
-    function(Op::power, "@_power", glsl_power),
-    standard(Op::arctangent2, "atan"),
-    // Not by isinf() and isnan(), which drivers may take for false throughout.
-    function(Op::is_finite, "@_is_finite",
-             "bool @_is_finite(float a) { return abs(a) <= 3.4e38; }\n"),
-});
-
-std::string glsl_number(double value) {
-    const double rounded = static_cast<double>(static_cast<float>(value));
-    return std::isfinite(rounded) ? single_decimal(value)
-           : std::isnan(rounded)  ? "uintBitsToFloat(0x7fc00000u)"
-           : rounded > 0.0        ? "uintBitsToFloat(0x7f800000u)"
-                                  : "uintBitsToFloat(0xff800000u)";
-}
 
 std::string glsl_array(std::string_view name, const std::vector<std::string>& values) {
     return fmt::format("const float {}[{}] = float[{}]({});", name, values.size(), values.size(),
@@ -68,13 +42,7 @@ public:
         : TextExport(source, std::move(formulas), glsl_words, "gl_") {}
 
     std::string text() {
-        const Dialect dialect{.spellings = glsl_spellings,
-                              .number = glsl_number,
-                              .number_of_condition = "float({0})",
-                              .condition_of_number = "(({0}) != 0.0)",
-                              .single = true,
-                              .words = {{"@", name_}}};
-        const Listing made = listing(dialect);
+        const Listing made = listing(glsl_dialect(name_));
         const CLike language{"float", "bool", "", "", "floor", "int({0})", glsl_number, glsl_array};
         std::string text =
             comment({"x to the right and y down from the top left corner, so that x is "
@@ -82,8 +50,7 @@ public:
                      "gl_FragCoord.y. It returns whether there is a ray, with its origin and its "
                      "direction of unit length."}) +
             "\n#ifdef GL_ES\nprecision highp float;\n#endif\n\n";
-        text += fmt::format("float {}_infinity() {{ return uintBitsToFloat(0x7f800000u); }}\n\n",
-                            name_);
+        text += glsl_infinity(name_);
         text += functions(language, made);
         return text + defaults() + signature() + " {\n" + definitions(language, made) +
                results(made) + "}\n";

@@ -53,7 +53,9 @@ std::string horner(const std::vector<std::string>& coefficients, const std::stri
 /// the ones before it, which shaders compile sooner than the sum of all terms.
 class CellValue {
 public:
-    CellValue(const CLike& language, const Table& table) : language_(language), table_(table) {}
+    /// `number` is a pattern: the number of the table at an index.
+    CellValue(const CLike& language, const Table& table, std::string number)
+        : language_(language), table_(table), number_(std::move(number)) {}
 
     std::string run() {
         const std::string value = along(0, "at", "    ");
@@ -67,8 +69,8 @@ private:
         if (axis + 1 == table_.axes.size()) {
             std::vector<std::string> coefficients;
             for (std::size_t power = 0; power <= degree; ++power) {
-                coefficients.push_back(power == 0 ? fmt::format("c[{}]", begin)
-                                                  : fmt::format("c[{} + {}]", begin, power));
+                coefficients.push_back(
+                    filled(number_, {power == 0 ? begin : fmt::format("{} + {}", begin, power)}));
             }
             return horner(coefficients, fmt::format("s{}", axis));
         }
@@ -95,23 +97,29 @@ private:
 
     const CLike& language_;
     const Table& table_;
+    const std::string number_;
     std::string text_;
 };
 
-// A function of the variables of a table that returns its value.
-std::string table_function(const CLike& language, const ListedTable& listed) {
+// A function of the variables of a table that returns its value; `first` is where its numbers begin
+// among those of all tables.
+std::string table_function(const CLike& language, const ListedTable& listed, std::size_t first) {
     const Table& table = *listed.table;
     std::string parameters;
     for (std::size_t i = 0; i < table.axes.size(); ++i) {
         parameters += fmt::format("{}{} a{}", i == 0 ? "" : ", ", language.real, i);
     }
-    std::vector<std::string> values;
-    for (const double value : table.coefficients) {
-        values.push_back(language.number(value));
-    }
     std::string text =
         fmt::format("{}{} {}({}) {{\n", language.local, language.real, listed.name, parameters);
-    text += "    " + language.array("c", values) + "\n";
+    std::string number = fmt::format("{}({} + {{0}})", language.table_numbers, first);
+    if (language.table_numbers.empty()) {
+        std::vector<std::string> values;
+        for (const double value : table.coefficients) {
+            values.push_back(language.number(value));
+        }
+        text += "    " + language.array("c", values) + "\n";
+        number = "c[{0}]";
+    }
     std::string cell;
     for (std::size_t i = 0; i < table.axes.size(); ++i) {
         text += find_cell(language, table.axes[i], i);
@@ -119,7 +127,7 @@ std::string table_function(const CLike& language, const ListedTable& listed) {
         cell = i == 0 ? k : fmt::format("({}) * {} + {}", cell, table.axes[i].cells, k);
     }
     text += fmt::format("    int at = ({}) * {};\n", cell, coefficients_in_cell(table));
-    return text + CellValue(language, table).run() + "}\n";
+    return text + CellValue(language, table, number).run() + "}\n";
 }
 
 }  // namespace
@@ -144,8 +152,10 @@ std::string functions(const CLike& language, const Listing& listing) {
     for (const std::string& helper : listing.helpers) {
         text += helper + "\n";
     }
-    for (const ListedTable& table : listing.tables) {
-        text += table_function(language, table) + "\n";
+    std::size_t first = 0;
+    for (const ListedTable& listed : listing.tables) {
+        text += table_function(language, listed, first) + "\n";
+        first += listed.table->coefficients.size();
     }
     return text;
 }

@@ -24,6 +24,9 @@ struct CLike {
     std::string (*number)(double value);
     /// A constant array of numbers: a definition of some name with some values.
     std::string (*array)(std::string_view name, const std::vector<std::string>& values);
+    /// If it is not empty: the function of an index that gives the numbers of all tables, one table
+    /// after another. Then there are no arrays.
+    std::string_view table_numbers{};
 };
 
 /// The definitions of a listing, each on a line with a margin of four spaces; each section after

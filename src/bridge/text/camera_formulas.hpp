@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,6 +37,8 @@ struct CameraFormulas {
     std::vector<StageFormulas> stages;
     /// Those of RayRoots, simplified; with footprints if they were requested or are measured by.
     std::vector<Expr> roots;
+    /// Which of the roots is listed as a condition; all others are numbers.
+    std::optional<std::size_t> condition = RayRoots::valid;
     Axes axes = Axes::z_up;  ///< Of the ray.
     bool lens = false;       ///< The ray depends on the inputs of a lens.
 };

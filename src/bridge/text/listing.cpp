@@ -67,7 +67,7 @@ public:
             }
         }
         for (std::size_t i = 0; i < formulas_.roots.size(); ++i) {
-            const bool condition = i == RayRoots::valid;
+            const bool condition = i == formulas_.condition;
             Formula root = in_form(formula(formulas_.roots[i].id()), condition);
             made_.roots.push_back({{}, std::move(root.text), condition, std::move(root.uses)});
         }

@@ -80,6 +80,7 @@ private:
     ROW(explain)              \
     ROW(fmt)                  \
     ROW(studio)               \
+    ROW(page)                 \
     ROW(lsp)                  \
     ROW(list)                 \
     ROW(locate)               \

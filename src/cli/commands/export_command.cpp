@@ -76,24 +76,9 @@ void check_inverse(CameraExportOptions& options, const app::GivenWords&, Diagnos
 }
 
 // The parameters that stay open; nothing for all of them.
-std::optional<std::vector<std::string>> open_names(const CameraExportOptions& options) {
-    if (options.parameters == "auto") {
-        return app::parameters_for(*options.target);
-    }
-    if (options.parameters == "all") {
-        return std::nullopt;
-    }
-    std::vector<std::string> names;
-    if (options.parameters == "none") {
-        return names;
-    }
-    std::string_view rest = options.parameters;
-    while (!rest.empty()) {
-        const std::size_t comma = rest.find(',');
-        names.emplace_back(rest.substr(0, comma));
-        rest = comma == std::string_view::npos ? std::string_view() : rest.substr(comma + 1);
-    }
-    return names;
+std::optional<std::vector<std::string>> open_parameters(const CameraExportOptions& options) {
+    return options.parameters == "auto" ? app::parameters_for(*options.target)
+                                        : open_names(options.parameters);
 }
 
 std::string title_of(const CameraExportOptions& options) {
@@ -116,7 +101,7 @@ Result<app::CameraExport> make_export(const CameraExportOptions& options,
         return wanted.diagnostics;
     }
     const Result<lang::OpenCamera> opened = workspace.make_open_camera(
-        wanted->file, wanted->name, wanted->overrides, open_names(options));
+        wanted->file, wanted->name, wanted->overrides, open_parameters(options));
     if (!opened) {
         return opened.diagnostics;
     }

@@ -7,6 +7,8 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "balcony/inputs.hpp"
 #include "balcony/picture_options.hpp"
@@ -74,6 +76,9 @@ template <class Target>
                               "1 at the back"},
                   text(), layer);
 }
+
+/// The names that --parameters lists with commas between them; nothing for "all".
+[[nodiscard]] std::optional<std::vector<std::string>> open_names(std::string_view words);
 
 /// --axes; none if they are not given.
 template <class Target>
