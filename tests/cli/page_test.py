@@ -3,6 +3,7 @@
 """balcony page: a scene and a camera in one file. tests/studio/viewer.test.mjs opens such files."""
 
 import json
+import math
 import os
 import re
 import shlex
@@ -71,6 +72,27 @@ class Page(support.CommandTest):
         self.assertEqual((found[0]["min"], found[0]["minExcluded"], found[0]["unit"]),
                          (0, True, "angle"))
         self.assertEqual(data_of(self.page(*words, "--parameters", "none"))["parameters"], [])
+
+    def test_a_camera_is_placed_as_in_a_render(self):
+        # The rays of the camera that the bounds suggest start in an object, so that it is moved.
+        corners = [(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)]
+        faces = ((1, 2, 4, 3), (5, 7, 8, 6), (1, 5, 6, 2), (3, 4, 8, 7), (1, 3, 7, 5), (2, 6, 8, 4))
+        text = ""
+        boxes = [(0, 0, 0, 20, 20, 1), (7, 1, 1, 2, 18, 9), (12, 1, 1, 2, 18, 5)]
+        for number, (x, y, z, a, b, c) in enumerate(boxes):
+            text += f"o box{number}\n"
+            text += "".join(f"v {x + a * i} {y + b * j} {z + c * k}\n" for i, j, k in corners)
+            text += "".join("f " + " ".join(str(8 * number + i) for i in face) + "\n" for face in faces)
+        (self.folder / "boxes.obj").write_text(text)
+        for camera in ("crossed_slits", "pinhole"):
+            words = ("boxes.obj", "--camera", camera, "--fit")
+            fitted = self.json_of("render", *words, "--integrator", "preview", "--samples", "1",
+                                  "--size", "16x9", "-o", "picture.png")["fitted"]
+            page = {row["name"]: row["value"] for row in data_of(self.page(*words))["parameters"]}
+            self.assertGreater(len(fitted), 2)
+            for row in fitted:
+                degree = math.pi / 180 if row["unit"] == "deg" else 1
+                self.assertAlmostEqual(page[row["name"]], row["value"] * degree, 4, f"{camera}: {row}")
 
     def test_what_cannot_be_shown_says_why(self):
         for camera, says, helps in (

@@ -54,10 +54,9 @@ Result<lang::OpenPicture> PreparedScene::picture(
     const auto make = [&] { return loaded.cameras.make_open_picture(source, name, values, open); };
     Result<lang::OpenPicture> made = make();
     if (made && request.placement.places(source.path().string())) {
+        // Probes know no inputs.
         const auto cameras = [&] {
-            const Result<lang::OpenPicture> one = make();
-            return one ? cameras_of(Result<camera::Picture>(one->picture))
-                       : std::vector<camera::Camera>();
+            return cameras_of(loaded.cameras.make_picture(source, name, values));
         };
         Diagnostics found = fit_cameras(loaded.cameras, request.placement, *loaded.scene,
                                         *loaded.renderer, cameras, stop);
