@@ -2,11 +2,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """balcony page: a scene and a camera in one file. tests/studio/viewer.test.mjs opens such files."""
 
+import base64
 import json
 import math
 import os
 import re
 import shlex
+import struct
 
 import support
 
@@ -105,6 +107,27 @@ class Page(support.CommandTest):
             self.refused("page", "scene.obj", "--camera", camera, "-o", "page.html", code=1, says=says,
                          helps=helps)
             self.assertFalse((self.folder / "page.html").exists())
+
+    def test_a_scene_with_too_many_triangles_is_refused(self):
+        def write(copies):
+            corners = b"".join(struct.pack("<9f", i, 0, 0, i + 1, 0, 0, i, 1, 0) for i in range(2000))
+            document = support.triangle()
+            document["buffers"] = [{"byteLength": len(corners),
+                                    "uri": "data:application/octet-stream;base64,"
+                                           + base64.b64encode(corners).decode()}]
+            document["bufferViews"][0]["byteLength"] = len(corners)
+            document["accessors"][0].update(count=6000, min=[0, 0, 0], max=[2000, 1, 0])
+            document["nodes"] = [{"mesh": 0, "name": f"copy {i}", "translation": [0, 2 * i, 0]}
+                                 for i in range(copies)]
+            document["scenes"][0]["nodes"] = list(range(copies))
+            (self.folder / "copies.gltf").write_text(json.dumps(document))
+        words = ("copies.gltf", "--camera", "my.cam:seen")
+        write(2000)
+        # All copies share their bytes.
+        self.assertLess(len(self.page(*words)), 1_200_000)
+        write(2001)
+        self.refused("page", *words, "-o", "page.html", code=1,
+                     says="has 4002000 triangles, and a page at most 4000000", helps="leave objects out")
 
     def test_names_of_parameters_are_checked(self):
         self.refused("page", "scene.obj", "--camera", "my.cam:seen", "--parameters", "with", "-o",
