@@ -1,8 +1,10 @@
 # Balcony: rendering through extended cameras.
 # SPDX-License-Identifier: Apache-2.0
-"""Runs docs/calibrated.md, and compares all models that OpenCV has with OpenCV itself."""
+"""Runs docs/calibrated.md, and compares all models that OpenCV has with OpenCV itself, and those of
+mrcal with mrcal, if it is installed."""
 
 import re
+import shutil
 from pathlib import Path
 
 import guide
@@ -58,6 +60,32 @@ else:
     print(valid.mean(), numpy.abs(made.reshape(-1, 2) - pixels).max())
 """
 
+MRCAL_PYTHON = guide.python_with("numpy", "mrcal")
+COMPARE_MRCAL = """
+import sys, mrcal, numpy
+name, file = sys.argv[1:3]
+terms = [0.31, 0.03, 1e-3, -7e-4, 6e-4, 0.47, 0.09, 0.0042, 1e-3, -2e-4, -2e-3, 3e-4]
+if name == "splined":
+    lens = mrcal.cameramodel(file)
+elif len(sys.argv) == 3:
+    count = int(name)
+    lens = mrcal.cameramodel(intrinsics=(
+        f"LENSMODEL_OPENCV{count}" if count else "LENSMODEL_PINHOLE",
+        numpy.array([610.3, 608.9, 651.2, 485.4] + terms[:count])), imagersize=(1280, 960))
+    lens.write(file)
+else:
+    lens = mrcal.cameramodel(file)
+if len(sys.argv) == 4:
+    width, height = lens.imagersize()
+    rays = numpy.load(sys.argv[3]).reshape(height, width, -1)
+    y, x = numpy.mgrid[2:height:16, 2:width:16]
+    rays = rays[y, x]
+    valid = rays[..., 6] > 0
+    points = numpy.stack([-rays[..., 4], -rays[..., 5], rays[..., 3]], axis=-1)[valid]
+    made = mrcal.project(points, *lens.intrinsics())
+    print(valid.mean(), numpy.abs(made - numpy.stack([x, y], axis=-1)[valid]).max())
+"""
+
 
 class CalibratedGuide(guide.GuideTest):
     PAGE = "calibrated.md"
@@ -77,6 +105,25 @@ class CalibratedGuide(guide.GuideTest):
                     f'camera one {{\n    eye opencv("{model}.yml")\n}}\n')
                 self.run_line("balcony rays one.cam --size 1280x960 -o one.npy")
                 share, off = map(float, self.run_line(f"python3 compare.py {model} one.npy").split())
+                self.assertLess(off, TOLERANCE)
+                self.assertGreater(share, 0.9)
+
+    def test_models_of_mrcal_are_those_of_mrcal(self):
+        if MRCAL_PYTHON is None:
+            self.skipTest("no Python has mrcal")
+        (self.folder / "compare_mrcal.py").write_text(COMPARE_MRCAL)
+        compare = f"{MRCAL_PYTHON} compare_mrcal.py"
+        for name in ("0", "4", "5", "8", "12", "splined"):
+            with self.subTest(name=name):
+                file = "drone.cameramodel" if name == "splined" else f"{name}.cameramodel"
+                if name == "splined":
+                    shutil.copy(guide.REPOSITORY / "cameras" / "data" / file, self.folder)
+                else:
+                    self.run_line(f"{compare} {name} {file}")
+                (self.folder / "one.cam").write_text(f'camera one {{\n    eye mrcal("{file}")\n}}\n')
+                size = "1600x1200" if name == "splined" else "1280x960"
+                self.run_line(f"balcony rays one.cam --size {size} -o one.npy")
+                share, off = map(float, self.run_line(f"{compare} {name} {file} one.npy").split())
                 self.assertLess(off, TOLERANCE)
                 self.assertGreater(share, 0.9)
 
