@@ -35,6 +35,7 @@ struct Change {
     std::optional<std::string> camera{};               ///< In the text; its last one if empty.
     std::optional<std::vector<Value>> values{};        ///< All of them.
     std::optional<std::array<std::size_t, 2>> size{};  ///< Width and height in pixels.
+    std::optional<double> time{};  ///< In seconds, of the camera's formulas and of the scene.
     bool choose_exposure = false;  ///< By this picture, for this and later ones.
     /// What a hand pulls, from `values` as they are without it: until another drag comes, the
     /// picture is shown with the values that follow. One without pulls ends it.
@@ -48,6 +49,7 @@ struct Shown {
     std::string camera{};         ///< In the text; its last one if empty.
     std::vector<Value> values{};  ///< With those that follow a drag.
     std::array<std::size_t, 2> size{};
+    double time = 0.0;  ///< As Change::time.
 };
 
 /// How a picture is made, from the first answer to the last.
@@ -87,6 +89,7 @@ struct SceneState {
     std::optional<app::Step> step{};  ///< While it is loaded.
     Diagnostics diagnostics{};  ///< When it is loaded: warnings, or errors, after which the view
                                 ///< shows nothing.
+    double duration = 0.0;      ///< Of the longest of its animations, in seconds.
 };
 
 /// What a view tells, from its own thread, one call at a time. Functions may be empty; they must
@@ -115,8 +118,8 @@ struct Options {
 /// do not wait for a picture.
 class View {
 public:
-    /// The request says all but what changes: scene, light, samples, placement, exposure. Its
-    /// camera and size are not read.
+    /// The request says all but what changes: scene, light, samples, placement, exposure, the first
+    /// time. Its camera and size are not read.
     [[nodiscard]] static std::unique_ptr<View> make(app::PreparedScene scene,
                                                     const app::Request& request, Observer observer,
                                                     const Options& options = {},

@@ -45,8 +45,15 @@ public:
         const std::vector<lang::Override>& values, const std::stop_token& stop = {},
         const std::optional<std::vector<std::string>>& open = {});
 
+    /// Moves the scene to a time in seconds, which the settings then have. The renderer follows
+    /// with the next picture, or by prepare(). What cannot move is a warning.
+    [[nodiscard]] Diagnostics set_time(double time);
+    /// Makes the scene ready for a picture of it that was made at another time.
+    [[nodiscard]] Diagnostics prepare(const camera::Picture& picture,
+                                      const std::stop_token& stop = {});
+
     /// Renders a picture and writes it, as Session::render() does. Of the request, the scene, its
-    /// lamps and the camera are not read.
+    /// lamps, the camera and the time are not read.
     [[nodiscard]] Report render(const camera::Picture& picture, const Request& request,
                                 const Observer& observer = {}, const std::stop_token& stop = {});
 

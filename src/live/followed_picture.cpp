@@ -26,6 +26,9 @@ lang::CameraSource source_of(const Shown& shown, const std::filesystem::path& fo
 
 bool FollowedPicture::follow(app::PreparedScene& scene, const Shown& wanted,
                              const std::stop_token& stop, Diagnostics& found) {
+    if (time_ != wanted.time && !move(scene, wanted.time, stop, found)) {
+        return false;
+    }
     if ((!picture_ || wanted.text != text_ || wanted.camera != camera_) &&
         !make(scene, wanted, {}, stop, found)) {
         return false;
@@ -38,6 +41,22 @@ bool FollowedPicture::follow(app::PreparedScene& scene, const Shown& wanted,
         picture_ = LivePicture(picture_->opened(), wanted.size);
     }
     return true;
+}
+
+// Moves the scene, and the picture that there is with it.
+bool FollowedPicture::move(app::PreparedScene& scene, double time, const std::stop_token& stop,
+                           Diagnostics& found) {
+    time_.reset();
+    found = scene.set_time(time);
+    if (picture_) {
+        const Diagnostics more = scene.prepare(picture_->opened().picture, stop);
+        found.insert(found.end(), more.begin(), more.end());
+        picture_->expire();
+    }
+    if (!has_errors(found)) {
+        time_ = time;
+    }
+    return time_.has_value();
 }
 
 bool FollowedPicture::make(app::PreparedScene& scene, const Shown& wanted,

@@ -29,6 +29,8 @@ public:
     [[nodiscard]] LivePicture& picture() { return *picture_; }
 
 private:
+    [[nodiscard]] bool move(app::PreparedScene& scene, double time, const std::stop_token& stop,
+                            Diagnostics& found);
     /// Values of parameters that are not open shape the camera.
     [[nodiscard]] bool make(app::PreparedScene& scene, const Shown& wanted,
                             const std::vector<lang::Override>& closed, const std::stop_token& stop,
@@ -39,6 +41,7 @@ private:
     std::string text_;                    ///< and what it was made of.
     std::string camera_;
     std::vector<lang::Override> closed_;
+    std::optional<double> time_;  ///< To which the scene was moved.
 };
 
 /// What a text and its folder are to a workspace.

@@ -32,16 +32,16 @@ bool MovingJob::take(Result<render::Job> made, Diagnostics& found) {
 bool MovingJob::make(const render::Renderer& renderer, const camera::Picture& picture,
                      const render::Settings& settings, const render::FilmLayout& layout,
                      const std::stop_token& stop, Diagnostics& found) {
+    const bool has_size = job_ && film().width == layout.width && film().height == layout.height;
+    if (has_size && !has_expired_) {
+        return true;
+    }
+    has_expired_ = false;
     std::shared_ptr<render::Film> film = film_of(layout, found);
     return film &&
-           take(render::Job::make(renderer, picture, settings, std::move(film), stop), found);
-}
-
-bool MovingJob::make_again(const render::Renderer& renderer, const render::Settings& settings,
-                           const render::FilmLayout& layout, const std::stop_token& stop,
-                           Diagnostics& found) {
-    std::shared_ptr<render::Film> film = film_of(layout, found);
-    return film && take(job_->again(renderer, settings, std::move(film), stop), found);
+           take(has_size ? job_->again(renderer, settings, std::move(film), stop)
+                         : render::Job::make(renderer, picture, settings, std::move(film), stop),
+                found);
 }
 
 Diagnostics MovingJob::move(std::span<const camera::KnownInput> inputs) {
@@ -79,6 +79,12 @@ void LivePicture::move(const std::vector<Value>& values, Diagnostics& found) {
     for (MovingJob* const job : {&coarse_, &preview_, &paths_}) {
         const Diagnostics wrong = job->move(inputs_);
         found.insert(found.end(), wrong.begin(), wrong.end());
+    }
+}
+
+void LivePicture::expire() {
+    for (MovingJob* const job : {&coarse_, &preview_, &paths_}) {
+        job->expire();
     }
 }
 
@@ -128,13 +134,10 @@ const render::Film* LivePicture::preview(const app::PreparedScene& scene, std::s
     const std::size_t width = std::max<std::size_t>(size_[0] / part, 1);
     const std::size_t height = std::max<std::size_t>(size_[1] / part, 1);
     MovingJob& job = part > 1 ? coarse_ : preview_;
-    if (!job.has(width, height)) {
-        if (!job.make(scene.renderer(), opened_.picture, preview_settings(scene),
-                      {.width = width, .height = height, .data_layers = false}, stop, found)) {
-            return nullptr;
-        }
-    }
-    return job.run(1, stop, found) ? &job.film() : nullptr;
+    const bool is_made =
+        job.make(scene.renderer(), opened_.picture, preview_settings(scene),
+                 {.width = width, .height = height, .data_layers = false}, stop, found);
+    return is_made && job.run(1, stop, found) ? &job.film() : nullptr;
 }
 
 render::Settings LivePicture::preview_settings(const app::PreparedScene& scene) const {
@@ -158,10 +161,9 @@ const render::Film* LivePicture::data(const app::PreparedScene& scene, const ren
         .layers = {LayerId::ray_length, LayerId::position, LayerId::normal, LayerId::object,
                    LayerId::origin, LayerId::direction, LayerId::parameters, LayerId::valid,
                    LayerId::picture_layer, LayerId::magnification, LayerId::crypto_material}};
+    data_.expire();
     const bool is_made =
-        data_.has(size_[0], size_[1])
-            ? data_.make_again(scene.renderer(), settings, layout, stop, found)
-            : data_.make(scene.renderer(), opened_.picture, settings, layout, stop, found);
+        data_.make(scene.renderer(), opened_.picture, settings, layout, stop, found);
     return is_made && data_.run(1, stop, found) ? &data_.film() : nullptr;
 }
 
@@ -170,25 +172,22 @@ std::optional<PixelMetrics::Metric> LivePicture::metric(const app::PreparedScene
                                                         double distance,
                                                         const std::stop_token& stop) {
     if (!metrics_ || kind_of_errors(metrics_->diagnostics) == Kind::interrupted) {
-        metrics_ = PixelMetrics::make(opened_, size_, scene.settings().time, stop);
+        metrics_ = PixelMetrics::make(opened_, size_, stop);
     }
-    return *metrics_ ? (*metrics_)->at(layer, point, distance, inputs_) : std::nullopt;
+    return *metrics_ ? (*metrics_)->at(layer, point, distance, scene.settings().time, inputs_)
+                     : std::nullopt;
 }
 
 const render::Film* LivePicture::paths(const app::PreparedScene& scene, std::size_t samples,
                                        bool will_denoise, const std::stop_token& stop,
                                        Diagnostics& found) {
-    if (!paths_.has(size_[0], size_[1])) {
-        render::FilmLayout layout{.width = size_[0], .height = size_[1], .data_layers = false};
-        if (will_denoise) {
-            layout.layers = render::denoise_layers();
-        }
-        if (!paths_.make(scene.renderer(), opened_.picture, with_inputs(scene.settings()), layout,
-                         stop, found)) {
-            return nullptr;
-        }
+    render::FilmLayout layout{.width = size_[0], .height = size_[1], .data_layers = false};
+    if (will_denoise) {
+        layout.layers = render::denoise_layers();
     }
-    return paths_.run(samples, stop, found) ? &paths_.film() : nullptr;
+    const bool is_made = paths_.make(scene.renderer(), opened_.picture,
+                                     with_inputs(scene.settings()), layout, stop, found);
+    return is_made && paths_.run(samples, stop, found) ? &paths_.film() : nullptr;
 }
 
 }  // namespace balcony::live

@@ -21,18 +21,13 @@ namespace balcony::live {
 /// A job that is made when it is first needed, and moved from then on.
 class MovingJob {
 public:
-    /// False if it fails, as the diagnostics say, or is stopped.
+    /// Makes it for a film, if it is not made for one of this size already or has expired. False if
+    /// that fails, as the diagnostics say, or is stopped.
     [[nodiscard]] bool make(const render::Renderer& renderer, const camera::Picture& picture,
                             const render::Settings& settings, const render::FilmLayout& layout,
                             const std::stop_token& stop, Diagnostics& found);
-    /// The same picture and size with other settings, such as another window.
-    [[nodiscard]] bool make_again(const render::Renderer& renderer,
-                                  const render::Settings& settings,
-                                  const render::FilmLayout& layout, const std::stop_token& stop,
-                                  Diagnostics& found);
-    [[nodiscard]] bool has(std::size_t width, std::size_t height) const {
-        return job_ && film().width == width && film().height == height;
-    }
+    /// The renderer, the settings or the window are others now.
+    void expire() { has_expired_ = true; }
     [[nodiscard]] Diagnostics move(std::span<const camera::KnownInput> inputs);
     /// True if each pixel has these samples; false after a stop, too.
     [[nodiscard]] bool run(std::size_t samples, const std::stop_token& stop, Diagnostics& found);
@@ -42,6 +37,7 @@ private:
     [[nodiscard]] bool take(Result<render::Job> made, Diagnostics& found);
 
     std::optional<render::Job> job_;
+    bool has_expired_ = false;
 };
 
 /// A camera whose parameters move, in one size.
@@ -55,6 +51,8 @@ public:
 
     /// Gives the open parameters among these their values, and the others those of the text.
     void move(const std::vector<Value>& values, Diagnostics& found);
+    /// The scene is at another time.
+    void expire();
     /// The values of parameters that are not open, for another camera.
     [[nodiscard]] std::vector<lang::Override> closed_among(const std::vector<Value>& values) const;
     /// All of them, for a picture in which none is open.

@@ -11,7 +11,7 @@ namespace balcony::live {
 using Imath::V3d;
 
 Result<PixelMetrics> PixelMetrics::make(const lang::OpenPicture& opened,
-                                        const std::array<std::size_t, 2>& size, double time,
+                                        const std::array<std::size_t, 2>& size,
                                         const std::stop_token& stop) {
     rays::CompileOptions options{
         .footprints = true, .parameters = false, .tiles = false, .points = true};
@@ -23,17 +23,17 @@ Result<PixelMetrics> PixelMetrics::make(const lang::OpenPicture& opened,
     if (!layers) {
         return std::move(layers.diagnostics);
     }
-    return PixelMetrics(std::move(*layers), time);
+    return PixelMetrics(std::move(*layers));
 }
 
 std::optional<PixelMetrics::Metric> PixelMetrics::at(std::size_t layer, const Imath::V2d& point,
-                                                     double distance,
+                                                     double distance, double time,
                                                      std::span<const camera::KnownInput> inputs) {
     std::vector<std::span<const double>> values;
     for (const camera::KnownInput& input : inputs) {
         values.emplace_back(&input.value, 1);
     }
-    layers_.layers().at(layer).rays.run(rays::Points{{&point.x, 1}, {&point.y, 1}, time_, values},
+    layers_.layers().at(layer).rays.run(rays::Points{{&point.x, 1}, {&point.y, 1}, time, values},
                                         scratch_, batch_);
     if (!batch_.valid(0)) {
         return std::nullopt;

@@ -24,24 +24,22 @@ class PixelMetrics {
 public:
     using Metric = Sight::Hit::Metric;
 
-    /// For a picture of a size in pixels with values for its open parameters, at a time in seconds.
+    /// For a picture of a size in pixels with values for its open parameters.
     [[nodiscard]] static Result<PixelMetrics> make(const lang::OpenPicture& opened,
                                                    const std::array<std::size_t, 2>& size,
-                                                   double time, const std::stop_token& stop);
+                                                   const std::stop_token& stop);
 
-    /// At a distance along the ray of a point, in a layer by its number from the back. Nothing if
-    /// there is no ray or it does not change with the picture. `inputs` are those of the parameters
-    /// in their order.
+    /// At a distance along the ray of a point at a time in seconds, in a layer by its number from
+    /// the back. Nothing if there is no ray or it does not change with the picture. `inputs` are
+    /// those of the parameters in their order.
     [[nodiscard]] std::optional<Metric> at(std::size_t layer, const Imath::V2d& point,
-                                           double distance,
+                                           double distance, double time,
                                            std::span<const camera::KnownInput> inputs);
 
 private:
-    PixelMetrics(rays::VisibleLayers layers, double time)
-        : layers_(std::move(layers)), time_(time) {}
+    explicit PixelMetrics(rays::VisibleLayers layers) : layers_(std::move(layers)) {}
 
     rays::VisibleLayers layers_;
-    double time_;
     rays::Scratch scratch_;
     rays::RayBatch batch_;
 };

@@ -15,6 +15,7 @@
 #include "balcony/denoise.hpp"
 #include "balcony/display_pixels.hpp"
 #include "balcony/live.hpp"
+#include "balcony/motion.hpp"
 #include "live/followed_picture.hpp"
 
 namespace balcony::live {
@@ -33,9 +34,23 @@ std::vector<std::filesystem::path> scene_files(const app::Request& request) {
     return files;
 }
 
+// Of the longest animation, in seconds.
+double duration_of(const app::PreparedScene& scene) {
+    double longest = 0.0;
+    if (const auto& motion = scene.scene()->motion) {
+        for (const scene::Animation& one : motion->animations) {
+            longest = std::max(longest, one.duration);
+        }
+    }
+    return longest;
+}
+
 // All changes so far.
 struct Wanted : Shown {
-    Wanted() { size = {960, 540}; }
+    explicit Wanted(double first = 0.0) {
+        size = {960, 540};
+        time = first;
+    }
 
     Clock::time_point since{};
     bool chooses_exposure = false;
@@ -49,6 +64,7 @@ struct Wanted : Shown {
         replace(values, std::move(more.values));
         replace(size, std::move(more.size));
         replace(drag, std::move(more.drag));
+        replace(time, std::move(more.time));
         size = {std::max<std::size_t>(size[0], 1), std::max<std::size_t>(size[1], 1)};
         chooses_exposure |= more.choose_exposure;
     }
@@ -71,6 +87,7 @@ struct View::State {
           request(of),
           observer(std::move(observing)),
           options(chosen),
+          wanted(of.settings.time),
           camera(std::move(where)),
           thread([this](const std::stop_token& stop) { work(stop); }) {}
 
@@ -178,7 +195,8 @@ bool View::State::load(const std::stop_token& stop) {
     if (scene) {
         share_scene();
     }
-    tell({.diagnostics = std::move(made.diagnostics)});
+    tell({.diagnostics = std::move(made.diagnostics),
+          .duration = scene ? duration_of(*scene) : 0.0});
     return scene.has_value();
 }
 
@@ -269,13 +287,23 @@ bool View::State::follow(const Wanted& next, const std::stop_token& newer) {
     return true;
 }
 
+// The solver knows the camera at the time 0.
+Dragged not_dragged(const Wanted& next) {
+    Dragged none;
+    none.points.resize(next.drag.pulls.size());
+    none.diagnostics = {error("a hand pulls at the picture of the time 0", {}, "go back to it")};
+    return none;
+}
+
 // The values of a change, or what follows its drag.
 std::vector<Value> View::State::dragged(const Wanted& next, const std::stop_token& newer) {
     std::vector<Value> values = next.values;
     if (next.drag.pulls.empty()) {
         return values;
     }
-    Dragged made = camera.picture().drag(next.drag, values, scene->scene()->axes, newer);
+    Dragged made = next.time == 0.0
+                       ? camera.picture().drag(next.drag, values, scene->scene()->axes, newer)
+                       : not_dragged(next);
     made.change = next.change;
     for (const Value& one : made.values) {
         std::erase_if(values, [&](const Value& given) { return given.parameter == one.parameter; });

@@ -58,6 +58,10 @@ export interface About {
     requests?: string[];
     /** That cameras are exported to. */
     languages?: { name: string; meaning: string }[];
+    /** In seconds: of the first picture. */
+    time?: number;
+    /** Frames a second of films. */
+    frameRate?: number;
 }
 
 /** A camera in another language. */
@@ -120,6 +124,8 @@ export interface ViewChange {
     camera?: string;
     values?: ParameterValue[];
     size?: [number, number];
+    /** In seconds. */
+    time?: number;
     exposure?: boolean;
 }
 
@@ -141,6 +147,8 @@ export interface FrameHead {
 
 export interface SceneState {
     state: "loading" | "ready" | "failed";
+    /** Of the longest animation, in seconds. */
+    duration?: number;
     message?: string;
 }
 

@@ -33,6 +33,7 @@ import {
     type SceneState,
     type Seen,
     type TextEdit,
+    type Triple,
     type ViewChange,
 } from "./protocol";
 import { SharedText } from "./shared_text";
@@ -134,6 +135,18 @@ export class Session implements Listener {
         const declared = this.symbols.find((one) => one.name === name)?.children ?? [];
         const order = namesIn(declared, SymbolKind.parameter);
         return [...open, ...closed].sort((a, b) => order.indexOf(a.name) - order.indexOf(b.name));
+    }
+
+    /** Whether u and v are angles. */
+    get isAngle(): [boolean, boolean] {
+        const isAngle = (name: string): boolean =>
+            this.handles.some((one) => one.parameter === name && one.numbers[0]!.angle);
+        return [isAngle("u"), isAngle("v")];
+    }
+
+    /** The vertical axis of the scene, where its format says which it is. */
+    get up(): Triple | null {
+        return /\.(glb|gltf)$/i.test(this.about?.scene ?? "") ? [0, 1, 0] : null;
     }
 
     get isSaved(): boolean {
@@ -373,6 +386,16 @@ export class Session implements Listener {
         // A new size or camera is not what a hand waits for.
         if (change.values) this.latency.begin(number.then(({ change }) => change));
         else number.catch(() => {}); // Of a lost connection.
+    }
+
+    /** Shows a time in seconds. The number of the change; null without a connection. */
+    showTime(time: number): Promise<number | null> {
+        if (this.link !== "open") return Promise.resolve(null);
+        this.isAtRest = false;
+        return this.connection.request<{ change: number }>("view/change", { time }).then(
+            ({ change }) => change,
+            () => null,
+        );
     }
 
     /** What stands at a pixel of the full size; null if nobody knows. */

@@ -41,6 +41,7 @@ import "./stage_numbers";
 import { wordsOf } from "./state_words";
 import { taken } from "./taken_camera";
 import { chooseTheme, chosenTheme, showTheme } from "./theme";
+import "./timeline";
 import { toolbar, type ToolbarActions } from "./toolbar";
 
 /** How long words stay that are to be read once, in milliseconds. */
@@ -53,6 +54,7 @@ export class BalconyStudio extends LitElement implements Page {
     private notice: { words: string; isMistake: boolean } | null = null;
     private noticeTimer = 0;
     private hasHandles = true;
+    private hasTimeline = false;
     private readonly hand = new HandleHand({
         edits: (index, handle, moves) => this.session.moved(index, handle, moves),
         hold: (edits) => this.editor.hold(edits),
@@ -217,6 +219,11 @@ export class BalconyStudio extends LitElement implements Page {
             this.found = [];
             this.changed();
         },
+        timeline: () => {
+            this.hasTimeline = !this.hasTimeline;
+            if (!this.hasTimeline) void this.session.showTime(this.session.about?.time ?? 0);
+            this.changed();
+        },
         handles: () => {
             this.hasHandles = !this.hasHandles;
             this.changed();
@@ -341,8 +348,8 @@ export class BalconyStudio extends LitElement implements Page {
             <picture-overlays
                 .lattice=${lattice}
                 .shown=${new Set(overlays)}
-                .isAngle=${this.isAngle}
-                .up=${this.up}
+                .isAngle=${this.session.isAngle}
+                .up=${this.session.up}
                 .remarks=${remarks}
                 .chosen=${chosen}
                 .pixels=${this.pixels}
@@ -366,18 +373,6 @@ export class BalconyStudio extends LitElement implements Page {
         `;
     }
 
-    /** Of u and v. */
-    private get isAngle(): [boolean, boolean] {
-        const isAngle = (name: string): boolean =>
-            this.session.handles.some((one) => one.parameter === name && one.numbers[0]!.angle);
-        return [isAngle("u"), isAngle("v")];
-    }
-
-    /** The vertical axis of the scene, where its format says which it is. */
-    private get up(): Triple | null {
-        return /\.(glb|gltf)$/i.test(this.session.about?.scene ?? "") ? [0, 1, 0] : null;
-    }
-
     private async find(point: Triple): Promise<void> {
         const { places } = await this.session.connection.request<{ places: { x: number; y: number }[] }>("view/find", {
             point,
@@ -394,7 +389,7 @@ export class BalconyStudio extends LitElement implements Page {
             .lattice=${inspection.lattice}
             .colours=${inspection.lattice ? this.picture.coloursOf(inspection.lattice) : []}
             .seen=${this.pictureHand.seen}
-            .up=${this.up}
+            .up=${this.session.up}
             .onpick=${((point) => this.attempt(this.find(point))) as CameraSpace["onpick"]}
         ></camera-space>`;
     }
@@ -403,7 +398,7 @@ export class BalconyStudio extends LitElement implements Page {
     private seenLine() {
         const { seen, isKept, pulled } = this.pictureHand;
         if (pulled || !seen) return nothing;
-        const words = seenWords(seen, this.isAngle);
+        const words = seenWords(seen, this.session.isAngle);
         return html`<div class="seen-at ${seen.y > 0.7 * this.pixels[1] ? "above" : ""}" aria-live=${isKept ? "polite" : "off"}>
             ${words.map(
                 ({ name, value }) =>
@@ -429,7 +424,7 @@ export class BalconyStudio extends LitElement implements Page {
         const go = ({ from, to }: Problem): void => this.editor.goTo(from, to);
         return html`
             ${toolbar(
-                { session, size: this.size, pixels: this.pixels, theme: chosenTheme(), hasHandles: this.hasHandles, inspection: this.inspection },
+                { session, size: this.size, pixels: this.pixels, theme: chosenTheme(), hasHandles: this.hasHandles, hasTimeline: this.hasTimeline, inspection: this.inspection },
                 this.actions,
             )}
             <main>
@@ -458,6 +453,14 @@ export class BalconyStudio extends LitElement implements Page {
                         </span>
                         <span class="quiet">${this.pixels[0]} × ${this.pixels[1]}</span>
                     </div>
+                    ${this.hasTimeline
+                        ? html`<time-line
+                              .rate=${session.about?.frameRate ?? 24}
+                              .animation=${session.scene.duration ?? 0}
+                              .shown=${shown?.change ?? 0}
+                              .onmove=${(time: number) => session.showTime(time)}
+                          ></time-line>`
+                        : nothing}
                     ${remarkList(this.inspection)}
                     ${this.hasHandles && session.handles.length > 0
                         ? html`<stage-numbers

@@ -29,6 +29,7 @@ export interface ToolbarActions {
     /** Show or hide something. */
     overlay(name: OverlayName): void;
     space(): void;
+    timeline(): void;
     handles(): void;
     keys(): void;
 }
@@ -173,10 +174,11 @@ export interface Shown {
     pixels: [number, number];
     theme: Theme;
     hasHandles: boolean;
+    hasTimeline: boolean;
     inspection: Inspection;
 }
 
-export function toolbar({ session, size, pixels, theme, hasHandles, inspection }: Shown, actions: ToolbarActions) {
+export function toolbar({ session, size, pixels, theme, hasHandles, hasTimeline, inspection }: Shown, actions: ToolbarActions) {
     const { about } = session;
     const unsaved = about !== null && !about.readOnly && !session.isSaved;
     return html`
@@ -213,6 +215,14 @@ export function toolbar({ session, size, pixels, theme, hasHandles, inspection }
                       3D
                   </button>`
                 : nothing}
+            <button
+                id="timeline"
+                aria-pressed=${hasTimeline}
+                title="Show the time of the picture, and play it"
+                @click=${actions.timeline}
+            >
+                Time
+            </button>
             <button id="save" ?disabled=${!unsaved} title="Save the file (Ctrl+S)" @click=${actions.save}>Save</button>
             ${renderButton(session, actions)} ${menu(session, theme, inspection, actions)}
         </header>

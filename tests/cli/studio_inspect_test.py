@@ -62,6 +62,22 @@ class Questions(StudioTest):
         self.assertTrue(any("interrupted" in answers[900 + number].get("error", {}).get("message", "")
                             for number in range(4)))
 
+    def test_a_time_is_shown(self):
+        (self.folder / "my.cam").write_text(CAMERA.replace("[u, v, height]", "[u, v, height + t]"))
+        self.open("--time", "1")
+        page = self.shown()
+        self.assertEqual((page.about["time"], page.about["frameRate"]), (1, 24))
+        self.assertEqual(page.result("view/at", x=42, y=20)["hit"]["distance"], 7)
+        self.assertEqual(page.result("command")["line"].split().count("--time"), 1)
+        change = page.result("view/change", time=2.5)["change"]
+        page.wait_for("view/rest", change=change)
+        self.assertEqual(page.result("view/at", x=42, y=20)["hit"]["distance"], 8.5)
+        words = page.result("command")["line"].split()
+        self.assertEqual(words.count("--time"), 1)
+        self.assertEqual(words[words.index("--time") + 1], "2.5")
+        for wrong in ("soon", 1e300, None):
+            self.assertEqual(page.error("view/change", time=wrong)["code"], -32602)
+
     def test_where_nothing_stands(self):
         (self.folder / "my.cam").write_text(CAMERA.replace("[u, v, height]",
                                                            "[u, v, height + sqrt(1 - u)]"))

@@ -213,6 +213,46 @@ TEST_F(InspectTest, TellsHowLongStepsAcrossARayAre) {
     }
 }
 
+// A scene that was moved to a time, there and back, is one that was loaded at this time.
+TEST(InspectedTime, IsThatOfTheSceneAndTheCamera) {
+    const std::string text =
+        "camera moving { axes y_up aspect 16/10 map u = 0.7 .. -0.7, v = square\n"
+        "eye point(1.2 - t/4, 1.9, 11.5) toward surface(u, v) = [-u, v, -1] look relative }";
+    const auto inspector_at = [](double time) {
+        app::Request request;
+        request.scene = BALCONY_SOURCE_DIR "/docs/pictures/windmill.gltf";
+        request.settings.time = time;
+        Result<app::PreparedScene> scene = app::PreparedScene::make(request);
+        EXPECT_TRUE(scene) << to_text(scene.diagnostics);
+        return Inspector(std::move(*scene));
+    };
+    const auto grid_at = [&](Inspector& inspector, double time) {
+        static std::uint64_t change = 0;
+        const Diagnostics found = inspector.show({++change, text, "", {}, {32, 20}, time});
+        EXPECT_TRUE(found.empty()) << to_text(found);
+        const auto grid = inspector.grid(32, 20);
+        EXPECT_TRUE(grid) << to_text(grid.diagnostics);
+        return *grid;
+    };
+    Inspector moved = inspector_at(0.0);
+    const auto before = grid_at(moved, 0.0);
+    const auto then = grid_at(moved, 0.7);
+    const auto after = grid_at(moved, 0.0);
+    Inspector loaded = inspector_at(0.7);
+    const auto wanted = grid_at(loaded, 0.7);
+    std::size_t other_objects = 0;
+    for (std::size_t i = 0; i < then.size(); ++i) {
+        expect_same(then[i], wanted[i]);
+        expect_same(after[i], before[i]);
+        const bool was_hit = before[i]->hit.has_value();
+        const bool is_hit = then[i]->hit.has_value();
+        other_objects +=
+            was_hit != is_hit || (is_hit && before[i]->hit->object != then[i]->hit->object) ? 1 : 0;
+    }
+    EXPECT_GT(other_objects, 0U);
+    EXPECT_NEAR(then[0]->origin.x, 1.2 - 0.7 / 4, 1e-6);
+}
+
 TEST_F(InspectTest, RemarksHaveTheirPlaces) {
     const std::string part =
         "camera part { aspect 4/3 map u = 0.6 .. -0.6, v = square eye point(0, 0, 0) "

@@ -196,6 +196,47 @@ TEST_F(ViewTest, MovesOpenParametersWithoutMakingTheCameraAnew) {
     EXPECT_NE(told_.frames_of(back).back().pixels, pixels);
 }
 
+// The frames of a time are those of a view that begins at this time, in all qualities.
+TEST_F(ViewTest, ShowsATime) {
+    request_.exposure = 0.0;
+    std::string text = fisheye;
+    text.replace(text.find("rotate(z, turn)"), 15, "rotate(z, turn + t*1rad)");
+    const std::unique_ptr<View> view = open({.denoises = false});
+    const std::uint64_t first = view->change({.text = text, .size = {{64, 48}}});
+    ASSERT_TRUE(told_.rests_at(first));
+    const std::uint64_t later = view->change({.time = 1.5});
+    ASSERT_TRUE(told_.rests_at(later));
+    ASSERT_EQ(view->shown()->time, 1.5) << told_.mistakes();
+    const std::uint64_t back = view->change({.time = 0.0});
+    ASSERT_TRUE(told_.rests_at(back));
+    EXPECT_EQ(told_.frames_of(back).back().pixels, told_.frames_of(first).back().pixels);
+    const std::vector<Frame> moved = told_.frames_of(later);
+    EXPECT_NE(moved.back().pixels, told_.frames_of(first).back().pixels);
+    told_.forget();
+    request_.settings.time = 1.5;
+    const std::unique_ptr<View> other = open({.denoises = false});
+    const std::uint64_t only = other->change({.text = text, .size = {{64, 48}}});
+    ASSERT_TRUE(told_.rests_at(only));
+    EXPECT_EQ(other->shown()->time, 1.5);
+    const auto pixels_of = [](const std::vector<Frame>& frames, Quality quality) {
+        for (const Frame& frame : frames) {
+            if (frame.quality == quality) {
+                return frame.pixels;
+            }
+        }
+        return std::vector<std::uint8_t>();
+    };
+    EXPECT_EQ(pixels_of(moved, Quality::preview),
+              pixels_of(told_.frames_of(only), Quality::preview));
+    EXPECT_EQ(moved.back().pixels, told_.frames_of(only).back().pixels);
+    // The solver has no time.
+    const std::uint64_t pulled = other->change(
+        {.drag = Drag{.pulls = {{.point = {2, 0, 0}, .from = {5, 5}, .to = {9, 5}}}}});
+    ASSERT_TRUE(told_.rests_at(pulled));
+    EXPECT_TRUE(has_errors(told_.drags().back().diagnostics));
+    EXPECT_EQ(told_.drags().back().points.size(), 1U);
+}
+
 // What follows a hand is shown until the drag ends.
 TEST_F(ViewTest, ShowsWhatFollowsADrag) {
     const std::unique_ptr<View> view = open({.traces_paths = false});

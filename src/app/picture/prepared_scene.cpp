@@ -10,6 +10,7 @@
 #include "app/picture/look.hpp"
 #include "app/picture/session.hpp"
 #include "app/words.hpp"
+#include "balcony/motion.hpp"
 
 namespace balcony::app {
 
@@ -75,6 +76,23 @@ Result<lang::OpenPicture> PreparedScene::picture(
     return made;
 }
 
+Diagnostics PreparedScene::set_time(double time) {
+    Loaded& loaded = state_->loaded;
+    loaded.settings.time = time;
+    if (!loaded.scene->motion) {
+        return {};
+    }
+    Result<scene::Scene> moved = scene::moved_to(*loaded.scene, time);
+    loaded.scene = std::make_shared<const scene::Scene>(std::move(*moved));
+    return std::move(moved.diagnostics);
+}
+
+Diagnostics PreparedScene::prepare(const camera::Picture& picture, const std::stop_token& stop) {
+    Diagnostics found;
+    static_cast<void>(move_along(picture, state_->loaded, stop, found));
+    return found;
+}
+
 Report PreparedScene::render(const camera::Picture& picture, const Request& request,
                              const Observer& observer, const std::stop_token& stop) {
     Request own = request;
@@ -83,6 +101,7 @@ Report PreparedScene::render(const camera::Picture& picture, const Request& requ
     own.solve.clear();
     own.placement = {};
     own.size.fit = state_->request.size.fit;
+    own.settings.time = state_->loaded.settings.time;
     return render_in(state_->loaded, picture, own, observer, stop);
 }
 

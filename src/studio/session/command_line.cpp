@@ -46,6 +46,11 @@ std::string command_line(const Options& options, const live::Shown& shown,
     }
     words.insert(words.end(), {"--size", fmt::format("{}x{}", shown.size[0], shown.size[1])});
     words.insert(words.end(), options.words.begin(), options.words.end());
+    if (shown.time != options.request.settings.time) {
+        const auto given = std::find(words.begin(), words.end(), "--time");
+        words.erase(given, given == words.end() ? given : given + 2);
+        words.insert(words.end(), {"--time", fmt::format("{}", shown.time)});
+    }
     const bool is_placed = options.request.placement.fit.value_or(false);
     if (is_placed && std::find(words.begin(), words.end(), "--fit") == words.end()) {
         words.emplace_back("--fit");

@@ -115,7 +115,9 @@ json Studio::about() const {
             {"scene", options_.request.scene},
             {"readOnly", options_.is_read_only},
             {"size", options_.size},
-            {"languages", languages()}};
+            {"languages", languages()},
+            {"time", options_.request.settings.time},
+            {"frameRate", 1.0 / options_.request.shutter.rate.frame_time()}};
 }
 
 bool Studio::take_text(int version, const std::string& text, const PageClient& by) {

@@ -23,6 +23,7 @@ namespace {
 constexpr std::size_t largest_side = 8192;
 constexpr std::size_t most_pixels = 16'777'216;
 constexpr std::size_t most_pulls = 64;
+constexpr double latest_time = 1e9;  // In seconds.
 
 std::array<std::size_t, 2> size_of(const json& asked) {
     const auto side = [&asked](std::size_t index) -> std::size_t {
@@ -135,6 +136,12 @@ live::Change change_of(const json& asked) {
     if (asked.contains("size")) {
         change.size = size_of(asked["size"]);
     }
+    if (asked.contains("time")) {
+        change.time = asked["time"].get<double>();
+        if (!(std::abs(*change.time) <= latest_time)) {
+            throw lsp::Refusal{lsp::invalid_params, "a time is a number of seconds"};
+        }
+    }
     change.choose_exposure = asked.value("exposure", false);
     return change;
 }
@@ -190,7 +197,8 @@ json told_of(const live::SceneState& state) {
                 {"message",
                  *state.step == app::Step::reading ? "reading the scene" : "preparing the scene"}};
     }
-    json made{{"state", has_errors(state.diagnostics) ? "failed" : "ready"}};
+    json made{{"state", has_errors(state.diagnostics) ? "failed" : "ready"},
+              {"duration", state.duration}};
     if (!state.diagnostics.empty()) {
         made["message"] = to_text(state.diagnostics);
     }
