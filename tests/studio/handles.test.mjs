@@ -43,13 +43,14 @@ async function open(camera, options) {
 const mark = (page, label) => page.tab.locator(`picture-handles .mark[aria-label="${label}"]`);
 const number = (page, label) => page.tab.locator(`stage-numbers .scrub[aria-label="${label}"]`);
 
+/** Waits until the text has all that a hand did which has let go. */
+const untilWritten = (page) => page.until(({ hand, session }) => hand.held === null && session.isSettled);
+
 /** Drags an element, lets go, and returns the numbers that now stand for one of the text, ended by undo. */
 async function changed(page, element, by, before, pattern) {
     await page.pull(element, by);
     await page.tab.mouse.up();
-    await page.until((studio, text) => studio.text().toString() !== text, text);
-    await page.until(({ session }) => session.isSettled);
-    await page.tab.waitForTimeout(150);
+    await untilWritten(page);
     const now = await page.text();
     const found = pattern.exec(now);
     assert.ok(found, now);
@@ -119,8 +120,7 @@ test("a handle outside of the picture waits at its border, and comes from there"
     const { height } = page.picture;
     await page.pull(mark(page, "zoom at").locator(".knob"), [0, -0.25 * height]);
     await page.tab.mouse.up();
-    await page.until((studio) => !studio.text().toString().includes(", -0.8)"));
-    await page.until(({ session }) => session.isSettled);
+    await untilWritten(page);
     // It waits 8 pixels above the lower border, which is v = -0.5.
     const v = Number(/at = \([-\d.]+, ([-\d.]+)\)/.exec(await page.text())[1]);
     near(v, -0.5 + 0.25 + 8 / height, 2 / height);

@@ -102,7 +102,7 @@ test("circles are ellipses by the metric of the lattice", async () => {
         const ray = { layer: "", origin: [0, 0, 0], direction: [1, 0, 0], u: 0, v: 0 };
         const hit = { object: "a", material: "", distance: 1, point: [0, 0, 0], magnification: 1, metric: [5, -3, 5] };
         inspection.overlays.add("ellipses");
-        inspection.follow = () => {};
+        inspection.ask = () => {}; // Whatever has followed, or follows.
         inspection.lattice = { columns: 1, rows: 1, size: [100, 20], places: [{ x: 50, y: 10, ray, hit }] };
         document.querySelector("balcony-studio").changed();
     });
