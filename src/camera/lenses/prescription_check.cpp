@@ -143,7 +143,8 @@ std::optional<Diagnostic> without_image(const Prescription& lens) {
 Diagnostic wrong_stops(const Prescription& lens, std::ptrdiff_t count) {
     if (count == 0) {
         return error(fmt::format("'{}' has no stop", lens.name), {},
-                     "mark the surface that limits the light as the stop");
+                     "write stop at the end of the line of the surface that limits the light; in "
+                     "Zemax's files, STOP is a line of its own");
     }
     const auto last = std::find_if(lens.surfaces.rbegin(), lens.surfaces.rend(),
                                    [](const LensSurface& s) { return s.stop; });
