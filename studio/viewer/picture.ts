@@ -41,8 +41,6 @@ const coarseTime = 40;
 const tileTime = 20;
 /** How long the picture is still before it is made whole, in milliseconds. */
 const pause = 150;
-/** Of a pixel, when the picture is finished. */
-const allSamples = 32;
 const smallestTile = 16;
 
 /** A texture of numbers, four a texel, in rows. */
@@ -96,6 +94,8 @@ export class Picture {
         triangles: Triangles,
         atlas: Atlas,
         tables: Float32Array,
+        /** Of a pixel, when the picture is finished. */
+        private readonly allSamples: number,
     ) {
         this.renderer = new WebGLRenderer({ canvas, alpha: true, antialias: false, preserveDrawingBuffer: true });
         this.renderer.autoClear = false;
@@ -196,7 +196,7 @@ export class Picture {
 
     private change(): void {
         ++this.version;
-        this.onprogress(-1, allSamples);
+        this.onprogress(-1, this.allSamples);
         this.wake();
     }
 
@@ -211,10 +211,10 @@ export class Picture {
             const version = this.version;
             const isNew = () => version !== this.version;
             await this.drawCoarse();
-            if (!isNew()) this.onprogress(0, allSamples);
+            if (!isNew()) this.onprogress(0, this.allSamples);
             const rest = performance.now() + pause;
             while (!isNew() && (this.isHeld || performance.now() < rest)) await this.changed(rest - performance.now());
-            for (let pass = 0; pass < allSamples && !isNew(); ++pass) await this.drawPass(pass, isNew);
+            for (let pass = 0; pass < this.allSamples && !isNew(); ++pass) await this.drawPass(pass, isNew);
             while (!isNew()) await this.changed();
         }
     }
@@ -264,7 +264,7 @@ export class Picture {
         this.copyFrom(this.adding, this.one);
         this.draw(this.adding, this.sum, all);
         this.present(this.sum, this.size, pass + 1, all);
-        this.onprogress(pass + 1, allSamples);
+        this.onprogress(pass + 1, this.allSamples);
     }
 
     private adaptTile(time: number): void {

@@ -25,6 +25,9 @@ function say(text: string): void {
 /** More pixels than that take a phone too long. */
 const mostPixels = 4e6;
 
+/** Of a pixel, when the picture is finished: page.html#samples=8 has fewer. */
+const allSamples = Number(/^#samples=(\d+)$/.exec(location.hash)?.[1] ?? 32);
+
 /** As large as there is room for, in the shape of the picture. */
 function fit(data: PageData, picture: Picture): void {
     const [width, height] = data.size;
@@ -100,7 +103,7 @@ async function start(): Promise<void> {
     const bytes = readBytes();
     const atlas = await makeAtlas(data, bytes, most);
     const tables = new Float32Array(bytes, data.tables.begin, data.tables.count);
-    const picture = new Picture(canvas, data, gather(data, bytes), atlas, tables);
+    const picture = new Picture(canvas, data, gather(data, bytes), atlas, tables, allSamples);
     showPicture(data, picture);
     await picture.start();
 }

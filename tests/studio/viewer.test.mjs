@@ -67,16 +67,17 @@ after(async () => {
 const balcony = (...words) => execFileSync(process.env.BALCONY, words, { cwd: folder, encoding: "utf8", stdio: "pipe" });
 
 /** A page in a browser, which has made no request but for its file, and complained of nothing. */
-async function open(name, options = {}) {
+async function open(name, options = {}, samples = 1) {
     const context = await browser.newContext({ viewport: { width: 900, height: 700 }, ...options });
     const tab = await context.newPage();
     tab.setDefaultTimeout(patience);
     const complaints = [];
-    const address = pathToFileURL(file(name)).href;
+    // The picture stays as it is after so many samples.
+    const address = `${pathToFileURL(file(name)).href}#samples=${samples}`;
     tab.on("pageerror", (error) => complaints.push(String(error)));
     tab.on("console", (message) => message.type() === "error" && complaints.push(message.text()));
     tab.on("dialog", (dialog) => complaints.push(dialog.message()));
-    tab.on("request", (request) => request.url() !== address && !request.url().startsWith("blob:") && complaints.push(request.url()));
+    tab.on("request", (request) => request.url() !== address.replace(/#.*/, "") && request.url() !== address && !request.url().startsWith("blob:") && complaints.push(request.url()));
     await tab.goto(address);
     return {
         tab,
@@ -127,7 +128,7 @@ async function compared(words, size, samples = 1) {
     const all = [...words, "--size", size.join("x"), "--quiet"];
     balcony("page", ...all, "-o", "page.html");
     balcony("render", ...all, "--integrator", "preview", "--samples", String(samples), "--no-dither", "-o", "picture.png");
-    const page = await open("page.html");
+    const page = await open("page.html", {}, samples);
     await page.setSize(size);
     await page.untilSamples(samples);
     const [mine, theirs] = [await page.picture(), readFileSync(file("picture.png"))];
