@@ -461,7 +461,7 @@ export class BalconyStudio extends LitElement implements Page {
                               .onmove=${(time: number) => session.showTime(time)}
                           ></time-line>`
                         : nothing}
-                    ${remarkList(this.inspection)}
+                    ${camera ? remarkList(this.inspection) : nothing}
                     ${this.hasHandles && session.handles.length > 0
                         ? html`<stage-numbers
                               .handles=${session.handles}
@@ -471,6 +471,7 @@ export class BalconyStudio extends LitElement implements Page {
                           ></stage-numbers>`
                         : nothing}
                     <parameter-sliders
+                        ?hidden=${!camera}
                         aria-label="Numbers of the camera"
                         .parameters=${session.parameters}
                         .isReadOnly=${session.about?.readOnly ?? true}

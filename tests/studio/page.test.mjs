@@ -108,6 +108,19 @@ test("an error greys the last good picture, names its place, and is mended by a 
     await page.untilText(broken);
 });
 
+test("of a text that has had an error from the start, nothing is said but the error", async () => {
+    await studio.server.stop();
+    writeFileSync(cameraFile, text.replace("superellipse(1", "superelipse(1"));
+    studio.server = await Server.start();
+    const page = await Page.open(studio.server.address);
+    studio.pages.push(page);
+    await page.tab.locator("live-picture .message").waitFor();
+    await page.tab.locator("summary").first().click();
+    await page.tab.locator("#overlay-findings").click();
+    assert.equal(await page.tab.locator("parameter-sliders").isVisible(), false);
+    assert.equal(await page.tab.locator(".remarks").count(), 0);
+});
+
 test("completion has whole calls with blanks, and help", async () => {
     const page = await open();
     await page.select("    move   translate", 0);
