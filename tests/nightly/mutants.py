@@ -4,10 +4,14 @@
 should notice. Which are tried depends on the seed and the sources alone."""
 
 import hashlib
+import itertools
 import os
 import random
 import re
 import subprocess
+import threading
+from collections import deque
+from concurrent.futures import ThreadPoolExecutor
 
 from tools import CORES, FOLDER, REPOSITORY, Failure, run
 
@@ -45,10 +49,10 @@ def mutants_of(layer):
 
 
 class Copy:
-    """A work tree of this commit with its own build of the tests of a layer."""
+    """A work tree of this commit, of some, with its own build of the tests of a layer."""
 
-    def __init__(self, layer):
-        self.tree = FOLDER / "mutants"
+    def __init__(self, layer, index):
+        self.tree = FOLDER / f"mutants-{index}"
         self.target = f"{layer}_test"
         self.test = self.tree / "build/mutants/tests" / layer / self.target
         if not self.tree.exists():
@@ -105,31 +109,55 @@ def place(mutant):
     return f"{name}:{line}: {before.strip()} becomes {after.strip()}"
 
 
+class Copies:
+    """A copy for each thread that asks for the fate of a mutant."""
+
+    def __init__(self, layer):
+        self.layer = layer
+        self.index = itertools.count()
+        self.making = threading.Lock()
+        self.mine = threading.local()
+
+    def fate(self, mutant):
+        if not hasattr(self.mine, "copy"):
+            with self.making:
+                self.mine.copy = Copy(self.layer, next(self.index))
+        return self.mine.copy.fate(mutant)
+
+
+def in_order(make, given):
+    """Pairs of what is given and what is made of it, by several threads, a few ahead."""
+    given = iter(given)
+    with ThreadPoolExecutor(CORES) as workers:
+        ahead = deque((one, workers.submit(make, one)) for one in itertools.islice(given, CORES))
+        while ahead:
+            one, made = ahead.popleft()
+            yield one, made.result()
+            ahead.extend((next_, workers.submit(make, next_)) for next_ in itertools.islice(given, 1))
+
+
 def mutation(layer, count):
     """A check that tries so many mutants of a layer; each is a part."""
 
     def check(keep):
         order = list(mutants_of(layer))
         random.Random(SEED).shuffle(order)
-        copy = None
-        fates = {}
-        for mutant in order:
-            if sum(fate != "equal" for fate in fates.values()) == count:
-                break
+        copies = Copies(layer)
 
-            def try_it(mutant=mutant):
-                nonlocal copy
-                copy = copy or Copy(layer)
-                return copy.fate(mutant)
-
-            where = place(mutant)
+        def fate(mutant):
             # Several mutants of a line may read alike.
-            fates[where, mutant[1]] = keep(f"{where} ({mutant[1]})", try_it)
-        survivors = [where for (where, _), fate in fates.items() if fate == "survived"]
+            return keep(f"{place(mutant)} ({mutant[1]})", lambda: copies.fate(mutant))
+
+        tried = []
+        for mutant, its_fate in in_order(fate, order):
+            if its_fate != "equal":
+                tried.append((mutant, its_fate))
+            if len(tried) == count:
+                break
+        survivors = [place(mutant) for mutant, its_fate in tried if its_fate == "survived"]
         print(*survivors, sep="\n")
-        tried = sum(fate != "equal" for fate in fates.values())
-        says = f"{tried - len(survivors)} of {tried} killed"
-        if len(survivors) > (1 - AIM) * tried:
+        says = f"{len(tried) - len(survivors)} of {len(tried)} killed"
+        if len(survivors) > (1 - AIM) * len(tried):
             raise Failure(says)
         return says
 
