@@ -8,6 +8,8 @@
 #include <array>
 
 #include "balcony/lang.hpp"
+#include "balcony/progress.hpp"
+#include "lang/tools/open_camera.hpp"
 
 namespace balcony::lang::open_parameters_test {
 namespace {
@@ -72,6 +74,18 @@ TEST(OpenParameters, OfAnUnknownNameAreAnError) {
 }
 
 // A stage that looks at the ray to choose its formula chooses the same one.
+TEST(OpenParameters, AreNotClosedByAStop) {
+    const auto picture = Workspace().make_picture(source(tower), "", {});
+    ASSERT_TRUE(picture) << to_text(picture.diagnostics);
+    const auto make = [&](const std::vector<std::string>& open) -> Result<OpenAttempt> {
+        if (!open.empty()) {
+            return stopped();
+        }
+        return OpenAttempt{*picture, {{"radius", "3", 3.0, false, {}}}, {}};
+    };
+    EXPECT_EQ(kind_of_errors(open_picture(make, {}).diagnostics), Kind::interrupted);
+}
+
 TEST(OpenParameters, AreKnownToStagesThatTryTheirFormula) {
     const char* text = R"(
         camera room(a = 4) {

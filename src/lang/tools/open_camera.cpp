@@ -103,14 +103,6 @@ bool show_the_same(const camera::Picture& a, const camera::Picture& b) {
     });
 }
 
-// The attempt with these parameters open, if it shows the same.
-std::optional<OpenAttempt> attempt(const MakeOpen& make, const std::vector<std::string>& open,
-                                   const camera::Picture& closed) {
-    Result<OpenAttempt> made = make(open);
-    const bool good = made && !has_errors(made.diagnostics) && show_the_same(closed, made->picture);
-    return good ? std::move(made.value) : std::nullopt;
-}
-
 }  // namespace
 
 std::string default_text(const ResolvedLayer& found, const DefinitionParameter& parameter) {
@@ -158,13 +150,18 @@ Result<OpenPicture> open_picture(const MakeOpen& make,
             candidates.push_back(number.name);
         }
     }
-    // All at once, or else each half by itself.
+    // All at once, or else each half by itself, if that shows the same.
     std::vector<std::string> open;
+    Diagnostics stopped;
     const std::function<void(std::span<const std::string>)> add =
         [&](std::span<const std::string> names) {
             std::vector<std::string> more = open;
             more.insert(more.end(), names.begin(), names.end());
-            if (auto opened = attempt(make, more, closed->picture)) {
+            Result<OpenAttempt> opened = make(more);
+            if (kind_of_errors(opened.diagnostics) == Kind::interrupted) {
+                stopped = std::move(opened.diagnostics);
+            } else if (opened && !has_errors(opened.diagnostics) &&
+                       show_the_same(closed->picture, opened->picture)) {
                 made.picture = std::move(opened->picture);
                 open = std::move(more);
             } else if (names.size() == 1) {
@@ -176,6 +173,9 @@ Result<OpenPicture> open_picture(const MakeOpen& make,
         };
     if (!candidates.empty()) {
         add(candidates);
+    }
+    if (!stopped.empty()) {
+        return stopped;
     }
     const std::set<std::string_view> is_open(open.begin(), open.end());
     std::copy_if(closed->numbers.begin(), closed->numbers.end(), std::back_inserter(made.open),
