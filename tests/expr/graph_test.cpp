@@ -175,6 +175,29 @@ TEST(Graph, ConstantsAreTheSameIfTheirBitsAre) {
     EXPECT_FALSE(graph.constant(0.0).same(graph.constant(-0.0)));
 }
 
+TEST(Graph, NumbersAreConstantsOfFormulas) {
+    Graph graph;
+    const Expr x = graph.picture_x();
+    const Expr two = graph.constant(2.0);
+    EXPECT_TRUE((x + 2.0).same(x + two) && (2.0 + x).same(two + x));
+    EXPECT_TRUE((x - 2.0).same(x - two) && (2.0 - x).same(two - x));
+    EXPECT_TRUE((x * 2.0).same(x * two) && (2.0 * x).same(two * x));
+    EXPECT_TRUE((x / 2.0).same(x / two) && (2.0 / x).same(two / x));
+    EXPECT_TRUE((x < 2.0).same(x < two) && (2.0 < x).same(two < x));
+    EXPECT_TRUE((x <= 2.0).same(x <= two) && (2.0 <= x).same(two <= x));
+}
+
+// Arguments of a sum stand in the order in which they were made.
+TEST(Graph, JoinsConstantsOnEitherSide) {
+    Graph graph;
+    const Expr one = graph.constant(1.0);
+    const Expr x = graph.picture_x();
+    const Expr two = graph.constant(2.0);
+    EXPECT_TRUE(((one + x) + two).same(x + 3.0));
+    EXPECT_TRUE(((x + two) + one).same(x + 3.0));
+    EXPECT_TRUE(((two * x) * 3.0).same(6.0 * x));
+}
+
 TEST(Graph, EqualFormulasAreOneNode) {
     std::mt19937_64 random(5);
     Graph graph;

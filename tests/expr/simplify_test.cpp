@@ -131,6 +131,8 @@ TEST(Simplify, KeepsWhatSeveralRootsShare) {
     const std::array roots{shared * 2.0 + 1.0, shared * 3.0 + 1.0, shared};
     // sin, x + y, cos, x y, their sum, and a product and a sum for each of two roots.
     EXPECT_LE(pixel_operations(simplify(roots)), 9U);
+    const Expr sum = x + y;
+    EXPECT_EQ(operations_in(simplify(std::array{sum, 3.0 * sum})), 2U);
 }
 
 TEST(Simplify, GivesNothingForNothing) { EXPECT_TRUE(simplify({}).empty()); }
