@@ -10,12 +10,14 @@ import random
 import re
 import subprocess
 import threading
+import tomllib
 from collections import deque
 from concurrent.futures import ThreadPoolExecutor
 
 from tools import CORES, FOLDER, REPOSITORY, Failure, run
 
 SEED = 1
+NO_MISTAKES = REPOSITORY / "tests/nightly/no_mistakes.toml"
 AIM = 0.9
 OPERATORS = {" + ": " - ", " - ": " + ", " * ": " / ", " / ": " * ", " < ": " <= ", " <= ": " < ",
              " > ": " >= ", " >= ": " > ", " == ": " != ", " != ": " == ", " && ": " || ",
@@ -103,6 +105,28 @@ class Copy:
             path.write_text(text)
 
 
+def mutated_line(mutant):
+    name, offset, before, after = mutant
+    text = (REPOSITORY / name).read_text()
+    begin = text.rfind("\n", 0, offset) + 1
+    return (text[begin:offset] + after + text[offset + len(before):].split("\n", 1)[0]).strip()
+
+
+def no_mistakes(layer, mutants):
+    """Those that no test needs to notice, as a file says with the reasons."""
+    by_line = {}
+    for mutant in sorted(mutants):
+        by_line.setdefault((mutant[0], mutated_line(mutant)), []).append(mutant)
+    found = set()
+    for one in tomllib.loads(NO_MISTAKES.read_text())["mutant"]:
+        if one["file"].startswith(f"src/{layer}/"):
+            alike = by_line.get((one["file"], one["line"]), [])
+            if len(alike) != one.get("alike", 1):
+                raise Failure(f"{NO_MISTAKES.name}: there are {len(alike)} mutants {one['line']}")
+            found.add(alike[one.get("nth", 1) - 1])
+    return found
+
+
 def place(mutant):
     name, offset, before, after = mutant
     line = (REPOSITORY / name).read_text()[:offset].count("\n") + 1
@@ -142,6 +166,8 @@ def mutation(layer, count):
     def check(keep):
         order = list(mutants_of(layer))
         random.Random(SEED).shuffle(order)
+        harmless = no_mistakes(layer, order)
+        order = [mutant for mutant in order if mutant not in harmless]
         copies = Copies(layer)
 
         def fate(mutant):
