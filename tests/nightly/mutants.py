@@ -183,7 +183,7 @@ def mutation(layer, count):
         survivors = [place(mutant) for mutant, its_fate in tried if its_fate == "survived"]
         print(*survivors, sep="\n")
         says = f"{len(tried) - len(survivors)} of {len(tried)} killed"
-        if len(survivors) > (1 - AIM) * len(tried):
+        if len(tried) - len(survivors) < AIM * len(tried):
             raise Failure(says)
         return says
 
