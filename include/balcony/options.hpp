@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <functional>
+#include <initializer_list>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -126,6 +127,13 @@ struct Options {
                 check(target.*part, given, found);
             });
         }
+        return *this;
+    }
+
+    Options& leave_out(std::initializer_list<std::string_view> names) {
+        std::erase_if(rows, [&](const OptionInfo& row) {
+            return std::find(names.begin(), names.end(), row.name) != names.end();
+        });
         return *this;
     }
 

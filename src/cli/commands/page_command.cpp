@@ -1,11 +1,8 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-#include <algorithm>
-#include <array>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -58,16 +55,12 @@ ExitCode write_page(const PageOptions& options) {
 
 /// The options of a picture that a page has.
 app::Options<app::Request> picture_rows() {
-    static constexpr std::array<std::string_view, 3> others{"--solve", "--view-transform",
-                                                            "--ambient"};
     app::Options<app::Request> made = app::scene_options();
     made.rows.push_back(app::time_option(1e9, &app::Request::settings, &render::Settings::time));
     made.add(&app::Request::size,
              app::size_options("size of the picture in pixels, where the window has room for it"));
     made.add(app::look_options());
-    std::erase_if(made.rows, [](const app::OptionInfo& row) {
-        return std::find(others.begin(), others.end(), row.name) != others.end();
-    });
+    made.leave_out({"--solve", "--view-transform", "--ambient"});
     return made;
 }
 

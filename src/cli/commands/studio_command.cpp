@@ -1,8 +1,6 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-#include <algorithm>
-#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -105,19 +103,14 @@ ExitCode serve(const StudioOptions& options) {
 /// The options of a picture that a view of it has. Others are about files, or about pictures that
 /// are not shown in a page.
 app::Options<app::Request> view_options() {
-    static constexpr std::array<std::string_view, 13> others{
-        "--camera",         "--set", "--solve",   "--crop",     "--scale", "--mm-per-pixel",
-        "--layers",         "--dpi", "--denoise", "--denoiser", "--noise", "--motion-scale",
-        "--texture-memory",
-    };
     app::Options<app::Request> made = app::scene_options();
     made.rows.push_back(app::time_option(1e9, &app::Request::settings, &render::Settings::time));
     made.add(&app::Request::shutter, app::shutter_options());
     made.add(app::picture_options());
     made.add(app::thread_options());
-    std::erase_if(made.rows, [](const app::OptionInfo& row) {
-        return std::find(others.begin(), others.end(), row.name) != others.end();
-    });
+    made.leave_out({"--camera", "--set", "--solve", "--crop", "--scale", "--mm-per-pixel",
+                    "--layers", "--dpi", "--denoise", "--denoiser", "--noise", "--motion-scale",
+                    "--texture-memory"});
     return made;
 }
 
