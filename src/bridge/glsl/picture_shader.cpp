@@ -212,8 +212,9 @@ private:
         const Listing listing =
             listing_of(formulas_, glsl_dialect("picture"), names, "picture_",
                        [this](std::string_view input) { return input_text(input); });
-        const CLike language{"float",  "bool",          "", "", "floor", "int({0})", glsl_number,
-                             no_array, "picture_number"};
+        // Tables are no arrays, which take drivers seconds to compile.
+        const CLike language{"float", "bool",          "", "", "floor", "int({0})", glsl_number,
+                             nullptr, "picture_number"};
         for (const ListedTable& listed : listing.tables) {
             for (const double number : listed.table->coefficients) {
                 made_.table_numbers.push_back(static_cast<float>(number));
@@ -228,9 +229,6 @@ private:
                      "}\n\nPictureColor picture_color() {\n" + color + "    return c;\n}\n";
         return std::move(made_);
     }
-
-    // Tables are not arrays here, which take drivers seconds to compile.
-    static std::string no_array(std::string_view, const std::vector<std::string>&) { return {}; }
 
     [[nodiscard]] std::string declarations() const {
         std::string text = fmt::format("const int picture_layers = {};\n", made_.layers);

@@ -25,7 +25,7 @@ struct CLike {
     /// A constant array of numbers: a definition of some name with some values.
     std::string (*array)(std::string_view name, const std::vector<std::string>& values);
     /// If it is not empty: the function of an index that gives the numbers of all tables, one table
-    /// after another. Then there are no arrays.
+    /// after another. Then no array is written.
     std::string_view table_numbers{};
 };
 
