@@ -24,8 +24,9 @@ constexpr DrawingColor miss_color{210, 30, 30};
 constexpr DrawingColor tint{255, 150, 0};
 constexpr DrawingColor text_color{40, 40, 40};
 constexpr DrawingColor plate_color{255, 255, 255};
-constexpr double note_size = 12.0;    // In thousandths of the longer side, like
-constexpr double note_height = 20.0;  // this, from line to line.
+// In thousandths of the longer side.
+constexpr double note_size = 12.0;
+constexpr double note_height = 20.0;  // From line to line.
 
 // The largest of 1, 2, 5, 10, ... that is not above a number.
 double round_below(double number) {
