@@ -25,8 +25,8 @@ struct CameraExportRequest {
     bool single = false;         ///< Single precision, where the language has both.
     bool inverse = false;        ///< Also a function from points to positions, where it has one.
     std::optional<Axes> axes{};  ///< As bridge::ExportOptions::axes.
-    std::array<std::size_t, 2> size{1280,
-                                    720};  ///< In which single precision is judged, in pixels.
+    /// In which single precision is judged, in pixels.
+    std::array<std::size_t, 2> size{1280, 720};
 };
 
 struct CameraExport {
@@ -36,6 +36,10 @@ struct CameraExport {
     /// What single precision changes, if the text has it.
     std::optional<bridge::SinglePrecision> single{};
 };
+
+/// Open parameters as those of a text.
+[[nodiscard]] std::vector<bridge::ExportParameter> export_parameters(
+    const std::vector<lang::OpenParameter>& open);
 
 /// The parameters that suit a language: nothing for all that can be open, or no names for none.
 [[nodiscard]] std::optional<std::vector<std::string>> parameters_for(

@@ -1,7 +1,6 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-#include <cmath>
 #include <filesystem>
 #include <set>
 #include <span>
@@ -13,11 +12,14 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "app/exports/parameter_json.hpp"
+#include "balcony/camera_export.hpp"
 #include "balcony/inputs.hpp"
 #include "balcony/lang.hpp"
 #include "balcony/page.hpp"
 #include "balcony/picture_shader.hpp"
 #include "balcony/prepared_scene.hpp"
+#include "base/markup.hpp"
 #include "page/blob.hpp"
 #include "page/scene_data.hpp"
 #include "page/textures.hpp"
@@ -34,8 +36,7 @@ using nlohmann::json;
 std::vector<lang::Override> literal_values(std::vector<lang::Override> given,
                                            const std::vector<lang::OpenParameter>& open) {
     for (const lang::OpenParameter& parameter : open) {
-        given.push_back({parameter.name,
-                         fmt::format("{}{}", parameter.value, parameter.is_angle ? "rad" : "")});
+        given.push_back({parameter.name, lang::literal(parameter.value, parameter.is_angle)});
     }
     return given;
 }
@@ -67,46 +68,11 @@ Result<lang::OpenPicture> picture_of(const PageRequest& request, app::PreparedSc
             std::move(made.diagnostics)};
 }
 
-std::vector<bridge::ExportParameter> export_parameters(
-    const std::vector<lang::OpenParameter>& open) {
-    std::vector<bridge::ExportParameter> made;
-    for (const lang::OpenParameter& parameter : open) {
-        made.push_back({parameter.name, lang::parameter_input(parameter.name), parameter.written,
-                        parameter.value, parameter.is_angle});
-    }
-    return made;
-}
-
-/// As the protocol of the studio has it.
-json parameter_data(const lang::OpenParameter& parameter) {
-    json made{{"name", parameter.name},
-              {"value", parameter.value},
-              {"unit", parameter.is_angle ? "angle" : "number"}};
-    const camera::Range& limits = parameter.limits;
-    if (std::isfinite(limits.minimum)) {
-        made["min"] = limits.minimum;
-        made["minExcluded"] = limits.excludes_minimum;
-    }
-    if (std::isfinite(limits.maximum)) {
-        made["max"] = limits.maximum;
-    }
-    return made;
-}
-
 std::string title_of(const PageRequest& request, const camera::Picture& picture) {
     return !request.title.empty()
                ? request.title
                : fmt::format("{}: {}", std::filesystem::path(request.picture.scene).stem().string(),
                              picture.name());
-}
-
-/// Text that is the contents of an element.
-std::string as_html(std::string_view text) {
-    std::string made;
-    for (const char c : printable(text)) {
-        made += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
-    }
-    return made;
 }
 
 /// JSON that is the contents of an element: no text in it ends the element or begins a comment.
@@ -124,7 +90,7 @@ std::string page_of(const std::string& title, const json& data, const Blob& blob
     const std::size_t data_at = frame.find(data_mark);
     std::string html;
     html += frame.substr(0, title_at);
-    html += as_html(title);
+    html += markup_of(printable(title));
     html += frame.substr(title_at + title_mark.size(), data_at - title_at - title_mark.size());
     html += "<script type=\"application/json\" id=\"data\">" + as_element(data) + "</script>\n";
     html += "<script type=\"text/plain\" id=\"bytes\">" + blob.base64() + "</script>";
@@ -186,7 +152,7 @@ Result<Page> make_page(const PageRequest& request, const app::Observer& observer
         request.picture.size.resolve(picture.aspect(), picture.parts().size);
     made.size = {width, height};
     Result<bridge::PictureShader> shader = bridge::export_picture_shader(
-        picture, export_parameters(opened->open), scene.axes, made.size);
+        picture, app::export_parameters(opened->open), scene.axes, made.size);
     add(found, shader.diagnostics);
     if (!shader) {
         return found;
@@ -205,7 +171,7 @@ Result<Page> make_page(const PageRequest& request, const app::Observer& observer
     data["textures"] = *images;
     data["parameters"] = json::array();
     for (const lang::OpenParameter& parameter : opened->open) {
-        data["parameters"].push_back(parameter_data(parameter));
+        data["parameters"].push_back(app::told_of(parameter));
         made.open.push_back(parameter.name);
     }
     made.closed = opened->closed;

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "balcony/drawing.hpp"
+#include "base/markup.hpp"
 
 namespace balcony::analyse {
 
@@ -55,14 +56,6 @@ std::string path_of(const DrawingShape& shape) {
     return text;
 }
 
-std::string xml_text(std::string_view text) {
-    std::string safe;
-    for (const char c : text) {
-        safe += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
-    }
-    return safe;
-}
-
 std::string element(const DrawingShape& shape) {
     const std::string color =
         fmt::format("#{:02x}{:02x}{:02x}", shape.color[0], shape.color[1], shape.color[2]);
@@ -85,7 +78,7 @@ std::string element(const DrawingLabel& label) {
         "fill=\"#{:02x}{:02x}{:02x}\"{}>{}</text>\n",
         label.position.x, label.position.y, label.monospaced ? "monospace" : "sans-serif",
         label.size / 0.7, label.color[0], label.color[1], label.color[2],
-        label.monospaced ? " xml:space=\"preserve\"" : "", xml_text(label.text));
+        label.monospaced ? " xml:space=\"preserve\"" : "", markup_of(label.text));
 }
 
 }  // namespace
@@ -97,7 +90,7 @@ std::string to_svg(const Drawing& drawing) {
         "<title>{2}</title>\n"
         "<rect width=\"{0}\" height=\"{1}\" fill=\"#fff\"/>\n"
         "<g fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n",
-        drawing.width, drawing.height, xml_text(drawing.name));
+        drawing.width, drawing.height, markup_of(drawing.name));
     for (const DrawingShape& shape : drawing.shapes) {
         text += element(shape);
     }

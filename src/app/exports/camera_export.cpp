@@ -12,18 +12,15 @@
 
 namespace balcony::app {
 
-namespace {
-
-bridge::ExportSource source_of(const lang::OpenCamera& opened, const CameraExportRequest& request) {
-    bridge::ExportSource source{opened.camera, {}, request.title, request.comment};
-    for (const lang::OpenParameter& one : opened.open) {
-        source.parameters.push_back(
+std::vector<bridge::ExportParameter> export_parameters(
+    const std::vector<lang::OpenParameter>& open) {
+    std::vector<bridge::ExportParameter> made;
+    for (const lang::OpenParameter& one : open) {
+        made.push_back(
             {one.name, lang::parameter_input(one.name), one.written, one.value, one.is_angle});
     }
-    return source;
+    return made;
 }
-
-}  // namespace
 
 std::optional<std::vector<std::string>> parameters_for(const bridge::ExportTarget& target) {
     return target.opens_parameters ? std::nullopt : std::optional(std::vector<std::string>());
@@ -45,8 +42,9 @@ Result<CameraExport> export_camera(const lang::OpenCamera& opened,
     if (options.single) {
         options.judged_in = request.size;
     }
-    Result<bridge::ExportedCamera> exported =
-        bridge::export_camera(*request.target, source_of(opened, request), options);
+    Result<bridge::ExportedCamera> exported = bridge::export_camera(
+        *request.target,
+        {opened.camera, export_parameters(opened.open), request.title, request.comment}, options);
     add(found, exported.diagnostics);
     if (!exported) {
         return found;

@@ -11,6 +11,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/exports/parameter_json.hpp"
 #include "lsp/answers.hpp"
 #include "lsp/rpc.hpp"
 #include "studio/session/view_messages.hpp"
@@ -30,7 +31,7 @@ json told_of_number(const SourceText& text, const lang::HandleNumber& one) {
               {"angle", one.is_angle},
               {"moves", one.moves},
               {"range", told_of_range(text, one.begin, one.end)}};
-    tell_limits(one.limits, made);
+    app::tell_limits(one.limits, made);
     if (!one.parameter.empty()) {
         made["parameter"] = one.parameter;
     }

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "app/exports/parameter_json.hpp"
 #include "lsp/answers.hpp"
 #include "lsp/rpc.hpp"
 
@@ -40,19 +41,10 @@ std::array<std::size_t, 2> size_of(const json& asked) {
     return size;
 }
 
-json told_of_parameter(const lang::OpenParameter& one) {
-    json made{{"name", one.name},
-              {"value", one.value},
-              {"written", one.written},
-              {"unit", one.is_angle ? "angle" : "number"}};
-    tell_limits(one.limits, made);
-    return made;
-}
-
 json told_of_parameters(const std::vector<lang::OpenParameter>& all) {
     json made = json::array();
     for (const lang::OpenParameter& one : all) {
-        made.push_back(told_of_parameter(one));
+        made.push_back(app::told_of(one));
     }
     return made;
 }
@@ -93,18 +85,6 @@ std::size_t count_of(const json& asked, std::size_t most, std::string_view what)
                            fmt::format("{} is a whole number from 1 to {}", what, most)};
     }
     return asked.get<std::size_t>();
-}
-
-void tell_limits(const camera::Range& limits, json& told) {
-    if (std::isfinite(limits.minimum)) {
-        told["min"] = limits.minimum;
-    }
-    if (std::isfinite(limits.maximum)) {
-        told["max"] = limits.maximum;
-    }
-    if (limits.excludes_minimum) {
-        told["minExcluded"] = true;
-    }
 }
 
 json told_of(const Diagnostics& found) {

@@ -25,8 +25,6 @@ namespace balcony::studio {
 [[nodiscard]] std::size_t count_of(const nlohmann::json& asked, std::size_t most,
                                    std::string_view what);
 
-/// Adds the members that limit a number.
-void tell_limits(const camera::Range& limits, nlohmann::json& told);
 /// As a text shows them that is the view's.
 [[nodiscard]] nlohmann::json told_of(const Diagnostics& found);
 /// The parameters of view/camera, of studio/scene and of view/dragged.
