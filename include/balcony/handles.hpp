@@ -84,4 +84,17 @@ struct ParameterMove {
     double step = 0.0;   ///< As HandleMove::step. Without one, all digits are written.
 };
 
+/// The time of a value that changes from key to key.
+struct KeyTime {
+    double time = 0.0;         ///< In seconds.
+    double frame = 1.0 / 24;   ///< A key that is less than half of this away is the one meant.
+    bool begins_keys = false;  ///< Numbers that do not change get keys.
+};
+
+/// The keys of a parameter that the text writes out as times and numbers: keys((0, 1), (2, 5)).
+struct ParameterKeys {
+    std::string parameter;
+    std::vector<double> times{};  ///< In seconds.
+};
+
 }  // namespace balcony::lang

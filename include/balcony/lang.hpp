@@ -127,6 +127,15 @@ struct OpenParameter {
     camera::Range limits{};  ///< The values that it may have. What moves the input keeps to them.
 };
 
+/// A number among a camera's parameters that changes with time, such as one with keys.
+struct MovingParameter {
+    OpenParameter number;      ///< Its value is that at the time 0.
+    camera::Scalar over_time;  ///< In the time t alone.
+
+    /// As it is at a time in seconds.
+    [[nodiscard]] OpenParameter at(double time) const;
+};
+
 /// The name of the input of an open parameter.
 [[nodiscard]] std::string parameter_input(std::string_view parameter);
 
@@ -144,8 +153,9 @@ struct OpenCamera {
 struct OpenPicture {
     camera::Picture picture;
     std::vector<OpenParameter> open;
-    std::vector<std::string> closed;     ///< As OpenCamera::closed: another value makes it anew.
-    std::vector<OpenParameter> numbers;  ///< As OpenCamera::numbers.
+    std::vector<std::string> closed;        ///< As OpenCamera::closed: another value makes it anew.
+    std::vector<OpenParameter> numbers;     ///< As OpenCamera::numbers.
+    std::vector<MovingParameter> moving{};  ///< Those of `closed` that change with time.
 };
 
 /// Where cameras are written: a .cam file or the name of a built-in camera, or a text.

@@ -154,8 +154,15 @@ public:
     [[nodiscard]] Result<std::vector<TextEdit>> moved(std::string_view camera, const Handle& handle,
                                                       const std::vector<HandleMove>& moves) const;
     /// The changes that give parameters of a camera other values, as Workspace::with_values does.
+    /// Of a parameter with keys, that is the value at a time.
     [[nodiscard]] Result<std::vector<TextEdit>> with_values(
-        std::string_view camera, const std::vector<ParameterMove>& values) const;
+        std::string_view camera, const std::vector<ParameterMove>& values,
+        const KeyTime& at = {}) const;
+    /// The parameters of a camera that have keys.
+    [[nodiscard]] std::vector<ParameterKeys> keys(std::string_view camera) const;
+    /// The changes that take the keys at a time away. One that is left is a number again.
+    [[nodiscard]] Result<std::vector<TextEdit>> without_keys(std::string_view camera,
+                                                             const KeyTime& at) const;
 
 private:
     class Implementation;

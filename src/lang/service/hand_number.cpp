@@ -143,19 +143,27 @@ expr::Expr HandNumbers::of_leaf(HandLeaf leaf, Reading& reading) {
     return text_.session->graph()->input(hand_input());
 }
 
-HandLeaf HandNumbers::parameter_leaf(std::size_t parameter) const {
+ExpressionId HandNumbers::written_value(std::size_t parameter) const {
     const DefinitionParameter& declared = place_.camera->parameters[parameter];
-    const Value& value = parameters_[parameter];
-    HandLeaf leaf{std::string(declared.name.text), {}, value.constant(), value.is_angle()};
     const DefinitionSyntax& definition = *written_.camera;
     if (written_.module != text_.module) {
-        return leaf;
+        return {};
     }
     if (!definition.base.valid()) {
-        leaf.literal = text_.tree()[declared.default_value].span;
-    } else if (const Argument* const given =
-                   argument_named(text_.tree()[definition.base], declared.name.text)) {
-        leaf.literal = text_.tree()[given->value].span;
+        return declared.default_value;
+    }
+    const Argument* const given = argument_named(text_.tree()[definition.base], declared.name.text);
+    return given != nullptr ? given->value : ExpressionId();
+}
+
+HandLeaf HandNumbers::parameter_leaf(std::size_t parameter) const {
+    const Value& value = parameters_[parameter];
+    HandLeaf leaf{std::string(place_.camera->parameters[parameter].name.text),
+                  {},
+                  value.constant(),
+                  value.is_angle()};
+    if (const ExpressionId written = written_value(parameter); written.valid()) {
+        leaf.literal = text_.tree()[written].span;
     }
     return leaf;
 }

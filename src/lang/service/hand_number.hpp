@@ -52,8 +52,10 @@ public:
     [[nodiscard]] bool is_of_text() const { return &tree_ == &text_.tree(); }
     /// Nothing for what is not a number.
     [[nodiscard]] std::optional<HandNumber> read(ExpressionId id, const camera::Range& limits);
-    /// The literal of a parameter that is a constant number: its default, or in the call of what is
-    /// made of it; none if the text has none.
+    /// What the text says of the value of a parameter: its default, or in the call of what is made
+    /// of it; none if the text says nothing.
+    [[nodiscard]] ExpressionId written_value(std::size_t parameter) const;
+    /// The literal of a parameter that is a constant number.
     [[nodiscard]] HandLeaf parameter_leaf(std::size_t parameter) const;
     /// What a name of a tuple or a list stands for.
     [[nodiscard]] ExpressionId named_by(ExpressionId id) const;

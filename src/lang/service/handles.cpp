@@ -10,7 +10,6 @@
 
 #include <fmt/format.h>
 
-#include "lang/build/resolved_layer.hpp"
 #include "lang/service/known_handles.hpp"
 #include "lang/tools/rewrite.hpp"
 
@@ -19,14 +18,6 @@ namespace balcony::lang {
 namespace {
 
 using camera::Range;
-
-std::optional<LocatedDefinition> definition_named(const KnownText& text, std::string_view name) {
-    const std::vector<LocatedDefinition> own = own_definitions(*text.module);
-    if (!name.empty()) {
-        return text.find_camera(name);
-    }
-    return own.empty() ? std::nullopt : std::optional(own.back());
-}
 
 bool is_same(const Handle& a, const Handle& b) {
     return a.statement == b.statement && a.stage == b.stage && a.parameter == b.parameter &&
@@ -68,10 +59,6 @@ Result<std::string> digits_of(const KnownText& text, HandleKind kind, const Hand
     return hand_literal(*value, leaf.is_angle, leaf_step, written_of(text, leaf));
 }
 
-Diagnostic no_camera(std::string_view name) {
-    return error(fmt::format("the text has no camera '{}'", name), {}, "name one that it has");
-}
-
 }  // namespace
 
 std::string_view name_of(HandleKind kind) {
@@ -83,7 +70,7 @@ std::string_view name_of(HandleKind kind) {
 
 std::vector<Handle> handles(const KnownText& text, std::string_view camera) {
     std::vector<Handle> made;
-    if (const auto written = definition_named(text, camera)) {
+    if (const auto written = text.definition_named(camera)) {
         for (KnownHandle& one : known_handles(text, *written)) {
             made.push_back(std::move(one.handle));
         }
@@ -93,7 +80,7 @@ std::vector<Handle> handles(const KnownText& text, std::string_view camera) {
 
 Result<std::vector<TextEdit>> moved(const KnownText& text, std::string_view camera,
                                     const Handle& handle, const std::vector<HandleMove>& moves) {
-    const auto written = definition_named(text, camera);
+    const auto written = text.definition_named(camera);
     if (!written) {
         return no_camera(camera);
     }
@@ -133,42 +120,6 @@ Result<std::vector<TextEdit>> moved(const KnownText& text, std::string_view came
         edits.insert(edits.end(), more.begin(), more.end());
     }
     return edits;
-}
-
-Result<std::vector<TextEdit>> with_values(const KnownText& text, std::string_view camera,
-                                          const std::vector<ParameterMove>& moves) {
-    const auto written = definition_named(text, camera);
-    const auto found =
-        written ? resolve_base({*written, {}}, *text.session) : std::optional<ResolvedLayer>();
-    if (!found) {
-        return no_camera(camera);
-    }
-    DefinitionScope scope(found->place, found->given, *text.session);
-    HandNumbers numbers(text, *written, found->place, scope);
-    const std::vector<Value> now = scope.values();
-    std::vector<Override> values;
-    for (const ParameterMove& move : moves) {
-        const auto& declared = found->place.camera->parameters;
-        const auto at = std::find_if(declared.begin(), declared.end(), [&](const auto& one) {
-            return one.name.text == move.parameter;
-        });
-        if (at == declared.end()) {
-            return error(no_parameter(*written, move.parameter), {},
-                         instead_of_parameter(*found->place.camera, move.parameter));
-        }
-        const auto i = static_cast<std::size_t>(at - declared.begin());
-        if (!now[i].is_constant()) {
-            return error(fmt::format("'{}' is not one number", move.parameter), {},
-                         "change the text where it is written");
-        }
-        const HandLeaf leaf = numbers.parameter_leaf(i);
-        const std::string_view before = written_of(text, leaf);
-        values.push_back(
-            {move.parameter, move.step > 0.0
-                                 ? hand_literal(move.value, leaf.is_angle, move.step, before)
-                                 : literal(move.value, leaf.is_angle, before)});
-    }
-    return edits_of_values(*text.module, *written, values);
 }
 
 }  // namespace balcony::lang

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "lang/names/value.hpp"
 
 namespace balcony::lang {
@@ -52,6 +54,18 @@ std::optional<LocatedDefinition> KnownText::find_camera(std::string_view name) c
     Module* built_in = session->load_built_in(name);
     const LocatedDefinition* found = built_in != nullptr ? session->find(*built_in, name) : nullptr;
     return found != nullptr ? std::optional(*found) : std::nullopt;
+}
+
+std::optional<LocatedDefinition> KnownText::definition_named(std::string_view name) const {
+    if (!name.empty()) {
+        return find_camera(name);
+    }
+    const std::vector<LocatedDefinition> own = own_definitions(*module);
+    return own.empty() ? std::nullopt : std::optional(own.back());
+}
+
+Diagnostic no_camera(std::string_view name) {
+    return error(fmt::format("the text has no camera '{}'", name), {}, "name one that it has");
 }
 
 std::optional<LocatedDefinition> KnownText::with_parameters(std::string_view name) const {

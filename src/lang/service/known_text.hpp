@@ -63,6 +63,9 @@ public:
     [[nodiscard]] std::optional<std::size_t> word_at(std::size_t offset) const;
     [[nodiscard]] Expected expected(std::size_t token) const;
     [[nodiscard]] Meant meant_by(std::size_t token) const;
+    /// A camera or a picture that is visible in the text, or a built-in one; the last one of the
+    /// text without a name.
+    [[nodiscard]] std::optional<LocatedDefinition> definition_named(std::string_view name) const;
     /// A camera that is visible in the text, or a built-in one.
     [[nodiscard]] std::optional<LocatedDefinition> find_camera(std::string_view name) const;
     /// The one whose parameters a camera takes: its base's base.
@@ -99,6 +102,13 @@ private:
                                                   const std::vector<HandleMove>& moves);
 [[nodiscard]] Result<std::vector<TextEdit>> with_values(const KnownText& text,
                                                         std::string_view camera,
-                                                        const std::vector<ParameterMove>& moves);
+                                                        const std::vector<ParameterMove>& moves,
+                                                        const KeyTime& at);
+[[nodiscard]] std::vector<ParameterKeys> keys(const KnownText& text, std::string_view camera);
+[[nodiscard]] Result<std::vector<TextEdit>> without_keys(const KnownText& text,
+                                                         std::string_view camera,
+                                                         const KeyTime& at);
+/// The error of a name that is no camera.
+[[nodiscard]] Diagnostic no_camera(std::string_view name);
 
 }  // namespace balcony::lang

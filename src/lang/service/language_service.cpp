@@ -63,9 +63,19 @@ Result<std::vector<TextEdit>> EditedText::moved(std::string_view camera, const H
     return lang::moved(*implementation_, camera, handle, moves);
 }
 
-Result<std::vector<TextEdit>> EditedText::with_values(
-    std::string_view camera, const std::vector<ParameterMove>& values) const {
-    return lang::with_values(*implementation_, camera, values);
+Result<std::vector<TextEdit>> EditedText::with_values(std::string_view camera,
+                                                      const std::vector<ParameterMove>& values,
+                                                      const KeyTime& at) const {
+    return lang::with_values(*implementation_, camera, values, at);
+}
+
+std::vector<ParameterKeys> EditedText::keys(std::string_view camera) const {
+    return lang::keys(*implementation_, camera);
+}
+
+Result<std::vector<TextEdit>> EditedText::without_keys(std::string_view camera,
+                                                       const KeyTime& at) const {
+    return lang::without_keys(*implementation_, camera, at);
 }
 
 std::string_view built_in_text(std::string_view name) {

@@ -4,6 +4,7 @@
 #include "lang/tools/open_camera.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <iterator>
@@ -15,6 +16,13 @@
 #include "lang/names/parameter_limits.hpp"
 
 namespace balcony::lang {
+
+OpenParameter MovingParameter::at(double time) const {
+    expr::Graph graph;
+    OpenParameter made = number;
+    made.value = expr::evaluate(std::array{over_time.emit(graph)}, {.time = time}).front();
+    return made;
+}
 
 std::string parameter_input(std::string_view parameter) {
     return fmt::format("parameter {}", parameter);
@@ -103,6 +111,15 @@ bool show_the_same(const camera::Picture& a, const camera::Picture& b) {
     });
 }
 
+bool changes_with_time(const Value& value) {
+    return value.form == Value::Form::number && value.expr.valid() &&
+           value.expr.dependence() == expr::Dependence::on(expr::inputs::t);
+}
+
+double value_at_start(const Value& value) {
+    return expr::evaluate(std::array{value.expr}, {}).front();
+}
+
 }  // namespace
 
 std::string default_text(const ResolvedLayer& found, const DefinitionParameter& parameter) {
@@ -116,20 +133,32 @@ std::string default_text(const ResolvedLayer& found, const DefinitionParameter& 
 
 OpenAttempt open_attempt(camera::Picture picture, const ResolvedLayer& found,
                          const std::vector<Value>& values, Session& session) {
-    OpenAttempt made{std::move(picture), {}, {}};
+    OpenAttempt made{std::move(picture), {}, {}, {}};
     for (std::size_t i = 0; i < values.size(); ++i) {
         const DefinitionParameter& parameter = found.place.camera->parameters[i];
         const std::string name(parameter.name.text);
+        const bool is_moving = changes_with_time(values[i]);
         if (!values[i].is_constant()) {
             made.others.push_back(name);
+        }
+        if (!values[i].is_constant() && !is_moving) {
             continue;
         }
         std::string written = default_text(found, parameter);
         for (const Override& given : found.given.overrides) {
             written = given.name == name ? given.expression : written;
         }
-        made.numbers.push_back({name, written, values[i].constant(), values[i].unit == Unit::angle,
-                                limits_of(found.place, parameter, session)});
+        OpenParameter number{name, written, value_at_start(values[i]),
+                             values[i].unit == Unit::angle,
+                             limits_of(found.place, parameter, session)};
+        if (is_moving) {
+            made.moving.push_back(
+                {std::move(number),
+                 camera::Scalar(camera::Formula(session.graph(), {}, {values[i].expr}),
+                                values[i].unit)});
+        } else {
+            made.numbers.push_back(std::move(number));
+        }
     }
     return made;
 }
@@ -140,7 +169,7 @@ Result<OpenPicture> open_picture(const MakeOpen& make,
     if (!closed) {
         return std::move(closed.diagnostics);
     }
-    OpenPicture made{closed->picture, {}, closed->others, {}};
+    OpenPicture made{closed->picture, {}, closed->others, {}, std::move(closed->moving)};
     const std::set<std::string_view> wanted =
         requested ? std::set<std::string_view>(requested->begin(), requested->end())
                   : std::set<std::string_view>();

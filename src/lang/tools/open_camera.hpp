@@ -17,6 +17,7 @@ struct OpenAttempt {
     camera::Picture picture;
     std::vector<OpenParameter> numbers;  ///< Its parameters that are constant numbers.
     std::vector<std::string> others;
+    std::vector<MovingParameter> moving{};  ///< Of the others.
 };
 
 /// Makes a picture with the parameters of some names open.
