@@ -219,10 +219,10 @@ class InputRays;
 class Solver {
 public:
     /// A camera layer of the picture, by its number from the back, in a picture of a size in
-    /// pixels. The picture has no inputs but these.
+    /// pixels, at a time in seconds. The picture has no inputs but these.
     [[nodiscard]] static Result<Solver> make(const camera::Picture& picture, std::size_t layer,
                                              double width, double height,
-                                             std::vector<std::string> inputs,
+                                             std::vector<std::string> inputs, double time = 0.0,
                                              const std::stop_token& stop = {});
 
     /// The axes of the marks.

@@ -45,7 +45,7 @@ std::vector<std::span<const double>> input_values(std::span<const double> values
     return made;
 }
 
-void run_at(const program::Program& program, std::span<const V2d> points,
+void run_at(const program::Program& program, std::span<const V2d> points, double time,
             std::span<const double> values, program::ResultArrays& results) {
     std::vector<double> x(points.size());
     std::vector<double> y(points.size());
@@ -55,7 +55,7 @@ void run_at(const program::Program& program, std::span<const V2d> points,
     }
     const std::vector<std::span<const double>> inputs = input_values(values);
     program::Scratch scratch;
-    program::run(program, program::Points{x, y, 0.0, inputs}, scratch,
+    program::run(program, program::Points{x, y, time, inputs}, scratch,
                  results.reserve(program.root_count(), points.size()));
 }
 
@@ -89,6 +89,7 @@ Result<InputRays> InputRays::make(const RaySource& source, const std::vector<std
 
         InputRays made;
         made.inputs_ = inputs.size();
+        made.time_ = source.time;
         Diagnostics found;
         made.rays_ = rays::take(program::Program::make(roots, interface), found);
         for (const std::string& name : inputs) {
@@ -118,7 +119,7 @@ Result<InputRays> InputRays::make(const RaySource& source, const std::vector<std
 std::vector<InputRay> InputRays::at(std::span<const V2d> points, std::span<const double> values,
                                     bool by_input) const {
     program::ResultArrays results;
-    run_at(by_input ? *by_input_ : *rays_, points, values, results);
+    run_at(by_input ? *by_input_ : *rays_, points, time_, values, results);
     std::vector<InputRay> made(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
         const auto vector = [&](std::size_t first) { return vector_at(results, first, i); };
@@ -145,7 +146,7 @@ std::vector<ShapeValues> InputRays::shapes(std::span<const double> values) const
     std::vector<ShapeValues> made;
     program::ResultArrays results;
     for (const Shape& shape : shapes_) {
-        run_at(shape.program, std::span(&shape.position, 1), values, results);
+        run_at(shape.program, std::span(&shape.position, 1), time_, values, results);
         ShapeValues one{results[0][0] == 1.0, {}, {}};
         for (std::size_t r = 0; r < shape.count; ++r) {
             one.values.push_back(results[1 + r][0]);

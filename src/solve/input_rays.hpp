@@ -42,9 +42,11 @@ struct RaySource {
     Axes axes = Axes::z_up;
     std::string name;
     V2d size;
+    double time = 0.0;  ///< In seconds.
 };
 
-/// The rays of a camera in a picture of one size, for any values of some inputs. Immutable.
+/// The rays of a camera in a picture of one size at one time, for any values of some inputs.
+/// Immutable.
 class InputRays {
 public:
     [[nodiscard]] static Result<InputRays> make(const RaySource& source,
@@ -72,6 +74,7 @@ private:
     };
 
     std::size_t inputs_ = 0;
+    double time_ = 0.0;
     std::optional<program::Program> rays_;      ///< Without derivatives by inputs.
     std::optional<program::Program> by_input_;  ///< With them.
     std::vector<Shape> shapes_;

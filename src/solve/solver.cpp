@@ -44,7 +44,7 @@ Solver::Solver(std::shared_ptr<const InputRays> rays, Axes axes, double width, d
       inputs_(std::move(inputs)) {}
 
 Result<Solver> Solver::make(const camera::Picture& picture, std::size_t layer, double width,
-                            double height, std::vector<std::string> inputs,
+                            double height, std::vector<std::string> inputs, double time,
                             const std::stop_token& stop) {
     const auto layer_in = [&](const std::vector<Element>& elements) {
         std::size_t number = layer;
@@ -67,7 +67,8 @@ Result<Solver> Solver::make(const camera::Picture& picture, std::size_t layer, d
                            },
                            *axes,
                            picture.parts().name,
-                           {width, height}};
+                           {width, height},
+                           time};
     Result<InputRays> rays = InputRays::make(source, inputs, {}, stop);
     if (!rays) {
         return std::move(rays.diagnostics);
