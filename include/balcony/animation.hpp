@@ -131,6 +131,7 @@ struct AnimationReport {
     std::size_t height = 0;
     double seconds = 0.0;
     bool is_film_missing = false;  ///< Stopped after the last frame, before the film was made.
+    std::filesystem::path film{};  ///< That was made; empty if none was.
 };
 
 /// What is known to be wrong with the output before rendering: a missing folder or program. Makes

@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "balcony/animation.hpp"
 #include "balcony/app.hpp"
 #include "balcony/lang.hpp"
 #include "balcony/render.hpp"
@@ -45,6 +46,10 @@ public:
         const std::vector<lang::Override>& values, const std::stop_token& stop = {},
         const std::optional<std::vector<std::string>>& open = {});
 
+    /// What both eyes of the request's stereo pair see of a picture.
+    [[nodiscard]] Result<camera::Picture> in_stereo(const camera::Picture& picture,
+                                                    camera::StereoFormat format) const;
+
     /// Moves the scene to a time in seconds, which the settings then have. The renderer follows
     /// with the next picture, or by prepare(). What cannot move is a warning.
     [[nodiscard]] Diagnostics set_time(double time);
@@ -56,6 +61,14 @@ public:
     /// lamps, the camera and the time are not read.
     [[nodiscard]] Report render(const camera::Picture& picture, const Request& request,
                                 const Observer& observer = {}, const std::stop_token& stop = {});
+
+    /// Renders the frames of a picture, and makes their film, as app::animate() does; the scene is
+    /// moved along. Of its request, the same is not read. Frames that are there are rendered again.
+    /// A stop makes the film of the frames that are finished.
+    [[nodiscard]] AnimationReport animate(const camera::Picture& picture,
+                                          const AnimationRequest& animation,
+                                          const Observer& observer = {},
+                                          const std::stop_token& stop = {});
 
     /// The exposure that suits a picture in this integrator's light: that of the request, if it
     /// names one.

@@ -1,6 +1,8 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
+#include "app/animation/animate.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -139,72 +141,65 @@ Diagnostics check_stereo(const Request& request, const scene::Scene& scene) {
 
 // Everything before the first frame.
 struct Prepared {
-    Loaded loaded;
-    std::optional<camera::Picture> picture;
+    camera::Picture picture;
     FrameNumbers frames;
     render::FilmLayout layout;
 };
 
-bool prepare(const AnimationRequest& animation, const Observer& observer,
-             const std::stop_token& stop, Prepared& made, Diagnostics& found) {
+std::optional<Prepared> prepare(const AnimationRequest& animation, Loaded& loaded,
+                                std::optional<camera::Picture> picture, const std::stop_token& stop,
+                                Diagnostics& found) {
     const Request& request = animation.picture;
-    Loaded& loaded = made.loaded;
-    loaded.since = FileWatch::Time::clock::now();
-    if (add(found, check_frames(animation)) || add(found, check_request(request)) ||
-        !load_settings(request, loaded, stop, found)) {
-        return false;
-    }
-    auto picture = load_all(request, loaded, observer, stop, found);
-    if (!picture) {
-        return false;
-    }
     add(found, check_inputs(animation.pattern, loaded.files()));
     Result<FrameNumbers> frames = animation.frames ? Result<FrameNumbers>(*animation.frames)
                                                    : default_frames(*loaded.scene, animation);
     add(found, frames.diagnostics);
     if (has_errors(found) || add(found, check_shards(animation, *frames))) {
-        return false;
+        return std::nullopt;
     }
-    made.frames = std::move(*frames);
-    warn_of_long_numbers(animation.pattern, made.frames, found);
+    warn_of_long_numbers(animation.pattern, *frames, found);
     if (animation.turntable) {
-        picture = turned_round(animation, made.frames, loaded, *picture, stop, found);
+        picture = turned_round(animation, *frames, loaded, *picture, stop, found);
     }
     if (!picture || add(found, check_stereo(request, *loaded.scene))) {
-        return false;
+        return std::nullopt;
     }
-    const auto view = stereo_view(request, *picture);
+    Result<camera::Picture> view = stereo_view(request, *picture);
     if (add(found, view.diagnostics)) {
-        return false;
+        return std::nullopt;
     }
-    made.picture = view.value;
-    made.layout = layout_of(animation, *made.picture, found);
+    Prepared made{std::move(*view), std::move(*frames), {}};
+    made.layout = layout_of(animation, made.picture, found);
     if (is_large(made.layout, request)) {
         found.push_back(too_large("a frame"));
     }
-    return !has_errors(found);
+    return has_errors(found) ? std::nullopt : std::optional(std::move(made));
 }
 
-void render_all(const AnimationRequest& request, const Observer& observer,
-                const std::stop_token& stop, AnimationReport& report) {
+void load_and_render(const AnimationRequest& request, const Observer& observer,
+                     const std::stop_token& stop, AnimationReport& report) {
     AnimationRequest animation = request;
     animation.picture.settings.time = animation.time_of(1);
-    Prepared made;
-    if (!prepare(animation, observer, stop, made, report.diagnostics)) {
-        report.interrupted = kind_of_errors(report.diagnostics) == Kind::interrupted;
-        return;
+    Loaded loaded;
+    loaded.since = FileWatch::Time::clock::now();
+    Diagnostics& found = report.diagnostics;
+    if (!add(found, check_frames(animation)) && !add(found, check_request(animation.picture)) &&
+        load_settings(animation.picture, loaded, stop, found)) {
+        if (auto picture = load_all(animation.picture, loaded, observer, stop, found)) {
+            render_frames(animation, loaded, std::move(*picture), observer, stop, report);
+        }
     }
-    FrameLoop(animation, made.loaded, *made.picture, made.layout, observer, report)
-        .run(made.frames, stop);
-    const bool is_whole = !animation.shard && animation.parts_per_frame == 1;
-    if (has_errors(report.diagnostics) || report.interrupted || !animation.film || !is_whole) {
-        return;
-    }
-    const Diagnostics found = make_film_of_frames(*animation.film, animation.pattern, made.frames,
+    report.interrupted |= kind_of_errors(found) == Kind::interrupted;
+}
+
+void make_film(const AnimationRequest& animation, const FrameNumbers& frames,
+               const Observer& observer, const std::stop_token& stop, AnimationReport& report) {
+    const Diagnostics found = make_film_of_frames(*animation.film, animation.pattern, frames,
                                                   !animation.keep_frames, observer, stop);
-    report.is_film_missing = report.interrupted = kind_of_errors(found) == Kind::interrupted;
-    if (!report.interrupted) {
-        add(report.diagnostics, found);
+    report.is_film_missing = kind_of_errors(found) == Kind::interrupted;
+    report.interrupted |= report.is_film_missing;
+    if (!report.is_film_missing && !add(report.diagnostics, found)) {
+        report.film = animation.film->file;
     }
 }
 
@@ -221,8 +216,36 @@ Diagnostics prepare_output(const AnimationRequest& request) {
 AnimationReport animate(const AnimationRequest& request, const Observer& observer,
                         const std::stop_token& stop) {
     AnimationReport report;
-    within_memory(report.diagnostics, [&] { render_all(request, observer, stop, report); });
+    within_memory(report.diagnostics, [&] { load_and_render(request, observer, stop, report); });
     return report;
+}
+
+void render_frames(const AnimationRequest& animation, Loaded& loaded, camera::Picture picture,
+                   const Observer& observer, const std::stop_token& stop, AnimationReport& report) {
+    const std::optional<Prepared> made =
+        prepare(animation, loaded, std::move(picture), stop, report.diagnostics);
+    if (!made) {
+        return;
+    }
+    FrameLoop(animation, loaded, made->picture, made->layout, observer, report)
+        .run(made->frames, stop);
+    const bool is_whole = !animation.shard && animation.parts_per_frame == 1;
+    if (animation.film && is_whole && !has_errors(report.diagnostics) && !report.interrupted) {
+        make_film(animation, made->frames, observer, stop, report);
+    }
+}
+
+void end_film(const AnimationRequest& animation, const Observer& observer,
+              AnimationReport& report) {
+    FrameNumbers frames;
+    for (const FrameReport& one : report.rendered) {
+        frames.push_back(one.frame);
+    }
+    if (!frames.empty()) {
+        make_film(animation, frames, observer, {}, report);
+    } else {
+        remove_frame_files(animation.pattern);
+    }
 }
 
 }  // namespace balcony::app

@@ -5,10 +5,12 @@
 
 #include <utility>
 
+#include "app/animation/animate.hpp"
 #include "app/inputs/loaded.hpp"
 #include "app/inputs/placement.hpp"
 #include "app/picture/look.hpp"
 #include "app/picture/session.hpp"
+#include "app/request_check.hpp"
 #include "app/words.hpp"
 #include "balcony/motion.hpp"
 
@@ -17,6 +19,8 @@ namespace balcony::app {
 struct PreparedScene::State {
     Request request;
     Loaded loaded;
+
+    [[nodiscard]] Request request_for(const camera::Picture& picture, const Request& asked) const;
 };
 
 PreparedScene::PreparedScene(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -76,6 +80,11 @@ Result<lang::OpenPicture> PreparedScene::picture(
     return made;
 }
 
+Result<camera::Picture> PreparedScene::in_stereo(const camera::Picture& picture,
+                                                 camera::StereoFormat format) const {
+    return camera::stereo_picture(picture, format, state_->request.stereo.pair);
+}
+
 Diagnostics PreparedScene::set_time(double time) {
     Loaded& loaded = state_->loaded;
     loaded.settings.time = time;
@@ -93,16 +102,50 @@ Diagnostics PreparedScene::prepare(const camera::Picture& picture, const std::st
     return found;
 }
 
+// What a request says besides the scene and the camera.
+Request PreparedScene::State::request_for(const camera::Picture& picture,
+                                          const Request& asked) const {
+    Request made = asked;
+    made.camera = picture.name();  // Not a camera of the scene, which would move with it.
+    made.set.clear();
+    made.solve.clear();
+    made.placement = {};
+    made.size.fit = request.size.fit;
+    made.settings.time = loaded.settings.time;
+    return made;
+}
+
 Report PreparedScene::render(const camera::Picture& picture, const Request& request,
                              const Observer& observer, const std::stop_token& stop) {
-    Request own = request;
-    own.camera.clear();
-    own.set.clear();
-    own.solve.clear();
-    own.placement = {};
-    own.size.fit = state_->request.size.fit;
-    own.settings.time = state_->loaded.settings.time;
-    return render_in(state_->loaded, picture, own, observer, stop);
+    return render_in(state_->loaded, picture, state_->request_for(picture, request), observer,
+                     stop);
+}
+
+AnimationReport PreparedScene::animate(const camera::Picture& picture,
+                                       const AnimationRequest& animation, const Observer& observer,
+                                       const std::stop_token& stop) {
+    AnimationReport report;
+    Diagnostics& found = report.diagnostics;
+    AnimationRequest own = animation;
+    own.overwrite = true;
+    within_memory(found, [&] {
+        if (add(found, check_frames(own))) {
+            return;
+        }
+        static_cast<void>(set_time(own.time_of(1)));  // The frames tell what cannot move.
+        own.picture = state_->request_for(picture, animation.picture);
+        Loaded& loaded = state_->loaded;
+        if (!add(found, check_request(own.picture)) &&
+            load_settings(own.picture, loaded, stop, found) &&
+            move_along(picture, loaded, stop, found)) {
+            render_frames(own, loaded, picture, observer, stop, report);
+        }
+        report.interrupted |= kind_of_errors(found) == Kind::interrupted;
+        if (report.interrupted && own.film) {
+            end_film(own, observer, report);
+        }
+    });
+    return report;
 }
 
 Result<double> PreparedScene::exposure(const camera::Picture& picture, std::string_view integrator,
