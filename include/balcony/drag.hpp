@@ -67,14 +67,14 @@ struct Dragged {
     double seconds = 0.0;         ///< That it took.
 };
 
-/// The camera of one picture in one size, at which a hand pulls. Belongs to one thread.
+/// The camera of one picture in one size at one time, at which a hand pulls. Belongs to one thread.
 class Dragger {
 public:
     /// Compiles a camera layer of a picture, by its number from the back, in a picture of a size in
-    /// pixels.
+    /// pixels, at a time in seconds.
     [[nodiscard]] static Result<Dragger> make(const lang::OpenPicture& picture, std::size_t layer,
                                               const std::array<std::size_t, 2>& size,
-                                              const std::stop_token& stop = {});
+                                              double time = 0.0, const std::stop_token& stop = {});
     Dragger(Dragger&&) noexcept;
     Dragger& operator=(Dragger&&) noexcept;
     ~Dragger();

@@ -5,7 +5,7 @@
 // Inspect: questions about what a view shows, answered beside it.
 //
 //     view.scene(), view.shown() ─▶ Inspector::show() ─▶ at(), grid(), places_of(), check(),
-//     render()
+//     render(), animate()
 
 #include <array>
 #include <cstddef>
@@ -108,11 +108,16 @@ public:
     [[nodiscard]] Result<app::CameraExport> export_camera(app::CameraExportRequest request,
                                                           const std::stop_token& stop = {});
 
-    /// Renders what is shown, in a size and a quality of a request, as
+    /// Renders what is shown, in its stereo format and in a size and a quality of a request, as
     /// app::PreparedScene::render().
     [[nodiscard]] app::Report render(const app::Request& request,
                                      const app::Observer& observer = {},
                                      const std::stop_token& stop = {});
+    /// Renders a film or a sequence of it, as app::PreparedScene::animate(). The time that is shown
+    /// stays.
+    [[nodiscard]] app::AnimationReport animate(const app::AnimationRequest& animation,
+                                               const app::Observer& observer = {},
+                                               const std::stop_token& stop = {});
 
 private:
     struct State;

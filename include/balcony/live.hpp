@@ -26,6 +26,7 @@
 #include "balcony/lang.hpp"
 #include "balcony/prepared_scene.hpp"
 #include "balcony/request.hpp"
+#include "balcony/stereo.hpp"
 
 namespace balcony::live {
 
@@ -36,6 +37,8 @@ struct Change {
     std::optional<std::vector<Value>> values{};        ///< All of them.
     std::optional<std::array<std::size_t, 2>> size{};  ///< Width and height in pixels.
     std::optional<double> time{};  ///< In seconds, of the camera's formulas and of the scene.
+    /// What both eyes see, arranged so, with the pair of the request; of one eye without a format.
+    std::optional<std::optional<camera::StereoFormat>> stereo{};
     bool choose_exposure = false;  ///< By this picture, for this and later ones.
     /// What a hand pulls, from `values` as they are without it: until another drag comes, the
     /// picture is shown with the values that follow. One without pulls ends it.
@@ -50,6 +53,7 @@ struct Shown {
     std::vector<Value> values{};  ///< With those that follow a drag.
     std::array<std::size_t, 2> size{};
     double time = 0.0;  ///< As Change::time.
+    std::optional<camera::StereoFormat> stereo{};
 };
 
 /// How a picture is made, from the first answer to the last.
@@ -77,8 +81,12 @@ struct CameraState {
     Diagnostics diagnostics{};
     std::string name{};              ///< Of the camera; empty after errors, as the following.
     std::optional<double> aspect{};  ///< Width to height, if it is made for one.
-    std::vector<lang::OpenParameter> open{};  ///< They move without the camera being made anew.
-    std::vector<lang::OpenParameter> closed{};
+    std::optional<camera::StereoFormat> stereo{};  ///< As Change::stereo.
+    std::vector<lang::OpenParameter> open{};    ///< They move without the camera being made anew.
+    std::vector<lang::OpenParameter> closed{};  ///< Another value makes the camera anew.
+    /// Those that change with time, with their values at the time that is shown. They are open
+    /// while a hand pulls.
+    std::vector<lang::OpenParameter> moving{};
 };
 
 /// The name of the text of a view in the spans of diagnostics.
@@ -119,7 +127,7 @@ struct Options {
 class View {
 public:
     /// The request says all but what changes: scene, light, samples, placement, exposure, the first
-    /// time. Its camera and size are not read.
+    /// time and stereo format. Its camera and size are not read.
     [[nodiscard]] static std::unique_ptr<View> make(app::PreparedScene scene,
                                                     const app::Request& request, Observer observer,
                                                     const Options& options = {},

@@ -46,14 +46,15 @@ Dragger& Dragger::operator=(Dragger&&) noexcept = default;
 Dragger::~Dragger() = default;
 
 Result<Dragger> Dragger::make(const lang::OpenPicture& picture, std::size_t layer,
-                              const std::array<std::size_t, 2>& size, const std::stop_token& stop) {
+                              const std::array<std::size_t, 2>& size, double time,
+                              const std::stop_token& stop) {
     std::vector<std::string> inputs;
     for (const lang::OpenParameter& one : picture.open) {
         inputs.push_back(lang::parameter_input(one.name));
     }
     Result<solve::Solver> solver =
         solve::Solver::make(picture.picture, layer, static_cast<double>(size[0]),
-                            static_cast<double>(size[1]), std::move(inputs), stop);
+                            static_cast<double>(size[1]), std::move(inputs), time, stop);
     if (!solver) {
         return std::move(solver.diagnostics);
     }

@@ -27,11 +27,16 @@ struct Inspector::State {
     [[nodiscard]] std::optional<Sight> sight(const render::Film& film, std::size_t i,
                                              const std::stop_token& stop);
     /// With all of its values, and these parameters open; all that can be without a list.
-    [[nodiscard]] Result<lang::OpenPicture> picture(
-        const std::optional<std::vector<std::string>>& open, const std::stop_token& stop);
-    [[nodiscard]] Result<lang::OpenPicture> closed_picture(const std::stop_token& stop) {
-        return picture(std::vector<std::string>(), stop);
+    [[nodiscard]] Result<lang::OpenPicture> picture_in(
+        app::PreparedScene& of, const std::optional<std::vector<std::string>>& open,
+        const std::stop_token& stop);
+    /// The same with none open, in a scene that may be at another time.
+    [[nodiscard]] Result<lang::OpenPicture> closed_picture(app::PreparedScene& of,
+                                                           const std::stop_token& stop) {
+        return picture_in(of, std::vector<std::string>(), stop);
     }
+    /// What is shown of it.
+    [[nodiscard]] Result<camera::Picture> seen_picture(const std::stop_token& stop);
     [[nodiscard]] Diagnostics make_places(const std::stop_token& stop);
 };
 
@@ -50,7 +55,7 @@ Diagnostics Inspector::show(const Shown& shown, const std::stop_token& stop) {
     state.shown.reset();
     state.places.reset();
     Diagnostics found;
-    if (!state.camera.follow(state.scene, shown, stop, found)) {
+    if (!state.camera.follow(state.scene, shown, false, stop, found)) {
         return found;
     }
     state.camera.picture().move(shown.values, found);
@@ -170,19 +175,27 @@ Result<std::vector<std::optional<Sight>>> Inspector::grid(std::size_t columns, s
     return made;
 }
 
-Result<lang::OpenPicture> Inspector::State::picture(
-    const std::optional<std::vector<std::string>>& open, const std::stop_token& stop) {
-    return scene.picture(source_of(*shown, folder), shown->camera,
-                         camera.picture().all_closed(shown->values), stop, open);
+Result<lang::OpenPicture> Inspector::State::picture_in(
+    app::PreparedScene& of, const std::optional<std::vector<std::string>>& open,
+    const std::stop_token& stop) {
+    return of.picture(source_of(*shown, folder), shown->camera,
+                      camera.picture().all_closed(shown->values), stop, open);
+}
+
+Result<camera::Picture> Inspector::State::seen_picture(const std::stop_token& stop) {
+    Result<lang::OpenPicture> made = closed_picture(scene, stop);
+    Diagnostics found = std::move(made.diagnostics);
+    return made && see(scene, shown->stereo, made->picture, found)
+               ? Result<camera::Picture>(std::move(made->picture), std::move(found))
+               : Result<camera::Picture>(std::move(found));
 }
 
 Diagnostics Inspector::State::make_places(const std::stop_token& stop) {
-    const Result<lang::OpenPicture> made = closed_picture(stop);
+    const Result<camera::Picture> made = seen_picture(stop);
     if (!made) {
         return made.diagnostics;
     }
-    Result<app::LocateSession> session =
-        app::LocateSession::make(made->picture, scene, shown->size, stop);
+    Result<app::LocateSession> session = app::LocateSession::make(*made, scene, shown->size, stop);
     places = std::move(session.value);
     return std::move(session.diagnostics);
 }
@@ -220,11 +233,11 @@ Result<std::vector<Remark>> Inspector::check(const std::stop_token& stop) {
     if (!state_->shown) {
         return nothing_is_shown();
     }
-    const Result<lang::OpenPicture> picture = state_->closed_picture(stop);
+    const Result<camera::Picture> picture = state_->seen_picture(stop);
     if (!picture) {
         return picture.diagnostics;
     }
-    const auto checks = app::check(picture->picture, state_->scene, state_->shown->size, stop);
+    const auto checks = app::check(*picture, state_->scene, state_->shown->size, stop);
     if (!checks) {
         return checks.diagnostics;
     }
@@ -244,7 +257,8 @@ Result<app::CameraExport> Inspector::export_camera(app::CameraExportRequest requ
     if (!state.shown) {
         return nothing_is_shown();
     }
-    Result<lang::OpenPicture> made = state.picture(app::parameters_for(*request.target), stop);
+    Result<lang::OpenPicture> made =
+        state.picture_in(state.scene, app::parameters_for(*request.target), stop);
     if (!made) {
         return std::move(made.diagnostics);
     }
@@ -266,20 +280,46 @@ Result<app::CameraExport> Inspector::export_camera(app::CameraExportRequest requ
         request);
 }
 
+namespace {
+
+template <class Report>
+Report failed(Diagnostics found) {
+    Report made;
+    made.interrupted = kind_of_errors(found) == Kind::interrupted;
+    made.diagnostics = std::move(found);
+    return made;
+}
+
+}  // namespace
+
 app::Report Inspector::render(const app::Request& request, const app::Observer& observer,
                               const std::stop_token& stop) {
-    app::Report failed;
     if (!state_->shown) {
-        failed.diagnostics = {nothing_is_shown()};
-        return failed;
+        return failed<app::Report>({nothing_is_shown()});
     }
-    Result<lang::OpenPicture> made = state_->closed_picture(stop);
+    Result<lang::OpenPicture> made = state_->closed_picture(state_->scene, stop);
+    return made ? state_->scene.render(made->picture, in_stereo(request, *state_->shown), observer,
+                                       stop)
+                : failed<app::Report>(std::move(made.diagnostics));
+}
+
+app::AnimationReport Inspector::animate(const app::AnimationRequest& animation,
+                                        const app::Observer& observer,
+                                        const std::stop_token& stop) {
+    if (!state_->shown) {
+        return failed<app::AnimationReport>({nothing_is_shown()});
+    }
+    // The film places its camera at the time of its first frame, as the command does.
+    app::PreparedScene scene = state_->scene.share();
+    Diagnostics found = scene.set_time(animation.time_of(1));
+    Result<lang::OpenPicture> made = state_->closed_picture(scene, stop);
+    found.insert(found.end(), made.diagnostics.begin(), made.diagnostics.end());
     if (!made) {
-        failed.diagnostics = std::move(made.diagnostics);
-        failed.interrupted = kind_of_errors(failed.diagnostics) == Kind::interrupted;
-        return failed;
+        return failed<app::AnimationReport>(std::move(found));
     }
-    return state_->scene.render(made->picture, request, observer, stop);
+    app::AnimationRequest own = animation;
+    own.picture = in_stereo(own.picture, *state_->shown);
+    return scene.animate(made->picture, own, observer, stop);
 }
 
 }  // namespace balcony::live

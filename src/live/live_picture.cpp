@@ -88,12 +88,13 @@ void LivePicture::expire() {
     }
 }
 
-Dragged LivePicture::drag(const Drag& drag, const std::vector<Value>& values, Axes axes,
-                          const std::stop_token& stop) {
-    if (!dragger_ || dragged_layer_ != drag.layer) {
-        Result<Dragger> made = Dragger::make(opened_, drag.layer, size_, stop);
+Dragged LivePicture::drag(const Drag& drag, const std::vector<Value>& values, double time,
+                          Axes axes, const std::stop_token& stop) {
+    if (!dragger_ || dragged_layer_ != drag.layer || dragged_time_ != time) {
+        Result<Dragger> made = Dragger::make(opened_, drag.layer, size_, time, stop);
         dragger_ = std::move(made.value);
         dragged_layer_ = drag.layer;
+        dragged_time_ = time;
         if (!dragger_) {
             Dragged none;
             none.points.resize(drag.pulls.size());
@@ -104,22 +105,25 @@ Dragged LivePicture::drag(const Drag& drag, const std::vector<Value>& values, Ax
     return dragger_->drag(drag, values, axes, stop);
 }
 
-std::vector<lang::Override> LivePicture::closed_among(const std::vector<Value>& values) const {
-    std::vector<Value> closed = values;
-    std::erase_if(closed, [this](const Value& value) {
-        return find(opened_.open, value.parameter) != nullptr;
+bool LivePicture::is_open(const std::string& parameter) const {
+    return find(opened_.open, parameter) != nullptr;
+}
+
+bool LivePicture::is_angle(const std::string& parameter) const {
+    for (const std::vector<lang::OpenParameter>* const some : {&opened_.open, &opened_.numbers}) {
+        if (const lang::OpenParameter* const one = find(*some, parameter)) {
+            return one->is_angle;
+        }
+    }
+    return std::any_of(opened_.moving.begin(), opened_.moving.end(), [&](const auto& one) {
+        return one.number.name == parameter && one.number.is_angle;
     });
-    return all_closed(closed);
 }
 
 std::vector<lang::Override> LivePicture::all_closed(const std::vector<Value>& values) const {
     std::vector<lang::Override> closed;
     for (const Value& value : values) {
-        const lang::OpenParameter* const open = find(opened_.open, value.parameter);
-        const lang::OpenParameter* const one =
-            open != nullptr ? open : find(opened_.numbers, value.parameter);
-        closed.push_back(
-            {value.parameter, lang::literal(value.value, one != nullptr && one->is_angle)});
+        closed.push_back({value.parameter, lang::literal(value.value, is_angle(value.parameter))});
     }
     return closed;
 }

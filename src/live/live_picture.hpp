@@ -53,14 +53,14 @@ public:
     void move(const std::vector<Value>& values, Diagnostics& found);
     /// The scene is at another time.
     void expire();
-    /// The values of parameters that are not open, for another camera.
-    [[nodiscard]] std::vector<lang::Override> closed_among(const std::vector<Value>& values) const;
-    /// All of them, for a picture in which none is open.
+    /// Whether a parameter moves without the picture being made anew.
+    [[nodiscard]] bool is_open(const std::string& parameter) const;
+    /// The values as texts, for a picture in which they are not open.
     [[nodiscard]] std::vector<lang::Override> all_closed(const std::vector<Value>& values) const;
 
-    /// What follows a drag, from these values. `axes` are those of its points.
-    [[nodiscard]] Dragged drag(const Drag& drag, const std::vector<Value>& values, Axes axes,
-                               const std::stop_token& stop);
+    /// What follows a drag at a time, from these values. `axes` are those of its points.
+    [[nodiscard]] Dragged drag(const Drag& drag, const std::vector<Value>& values, double time,
+                               Axes axes, const std::stop_token& stop);
 
     /// A preview of one ray a pixel, in a size that is divided by this. Null if it fails, as the
     /// diagnostics say, or is stopped.
@@ -83,6 +83,7 @@ public:
                                                              const std::stop_token& stop);
 
 private:
+    [[nodiscard]] bool is_angle(const std::string& parameter) const;
     [[nodiscard]] render::Settings with_inputs(render::Settings settings) const;
     [[nodiscard]] render::Settings preview_settings(const app::PreparedScene& scene) const;
 
@@ -93,8 +94,9 @@ private:
     MovingJob preview_;
     MovingJob paths_;
     MovingJob data_;
-    std::optional<Dragger> dragger_;  ///< Of the layer that was dragged last.
+    std::optional<Dragger> dragger_;  ///< Of the layer and the time that were dragged last.
     std::size_t dragged_layer_ = 0;
+    double dragged_time_ = 0.0;
     std::optional<Result<PixelMetrics>> metrics_;
 };
 

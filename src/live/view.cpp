@@ -47,9 +47,13 @@ double duration_of(const app::PreparedScene& scene) {
 
 // All changes so far.
 struct Wanted : Shown {
-    explicit Wanted(double first = 0.0) {
+    Wanted() = default;
+    explicit Wanted(const app::Request& first) {
         size = {960, 540};
-        time = first;
+        time = first.settings.time;
+        if (first.stereo.is_wanted()) {
+            stereo = first.stereo.formats.front();
+        }
     }
 
     Clock::time_point since{};
@@ -65,6 +69,7 @@ struct Wanted : Shown {
         replace(size, std::move(more.size));
         replace(drag, std::move(more.drag));
         replace(time, std::move(more.time));
+        replace(stereo, std::move(more.stereo));
         size = {std::max<std::size_t>(size[0], 1), std::max<std::size_t>(size[1], 1)};
         chooses_exposure |= more.choose_exposure;
     }
@@ -87,7 +92,7 @@ struct View::State {
           request(of),
           observer(std::move(observing)),
           options(chosen),
-          wanted(of.settings.time),
+          wanted(of),
           camera(std::move(where)),
           thread([this](const std::stop_token& stop) { work(stop); }) {}
 
@@ -270,7 +275,8 @@ bool View::State::is_at_rest(const Wanted& next, const std::stop_token& newer) {
 // Moves the camera, or makes it anew. False if there is none, or if a newer change has come.
 bool View::State::follow(const Wanted& next, const std::stop_token& newer) {
     Diagnostics found;
-    if (!camera.follow(*scene, next, newer, found)) {
+    const bool holds = !next.drag.pulls.empty() && !next.stereo;
+    if (!camera.follow(*scene, next, holds, newer, found)) {
         if (kind_of_errors(found) != Kind::interrupted) {
             tell_camera(next, std::move(found));
         }
@@ -287,11 +293,12 @@ bool View::State::follow(const Wanted& next, const std::stop_token& newer) {
     return true;
 }
 
-// The solver knows the camera at the time 0.
+// Of both eyes' pictures, a point has two places.
 Dragged not_dragged(const Wanted& next) {
     Dragged none;
     none.points.resize(next.drag.pulls.size());
-    none.diagnostics = {error("a hand pulls at the picture of the time 0", {}, "go back to it")};
+    none.diagnostics = {
+        error("a hand pulls at the picture of one eye", {}, "leave the stereo view")};
     return none;
 }
 
@@ -301,9 +308,9 @@ std::vector<Value> View::State::dragged(const Wanted& next, const std::stop_toke
     if (next.drag.pulls.empty()) {
         return values;
     }
-    Dragged made = next.time == 0.0
-                       ? camera.picture().drag(next.drag, values, scene->scene()->axes, newer)
-                       : not_dragged(next);
+    Dragged made = next.stereo ? not_dragged(next)
+                               : camera.picture().drag(next.drag, values, next.time,
+                                                       scene->scene()->axes, newer);
     made.change = next.change;
     for (const Value& one : made.values) {
         std::erase_if(values, [&](const Value& given) { return given.parameter == one.parameter; });
@@ -324,8 +331,12 @@ void View::State::tell_camera(const Wanted& next, Diagnostics found) {
         const lang::OpenPicture& opened = camera.picture().opened();
         state.name = opened.picture.parts().name;
         state.aspect = opened.picture.parts().aspect;
+        state.stereo = next.stereo;
         state.open = opened.open;
         state.closed = opened.numbers;
+        for (const lang::MovingParameter& one : opened.moving) {
+            state.moving.push_back(one.at(next.time));
+        }
     }
     observer.camera(state);
 }
@@ -377,8 +388,10 @@ void View::State::tell(const Wanted& next, const render::Film& film, Quality qua
     if (!exposed || newer.stop_requested() || !observer.frame) {
         return;
     }
-    const auto pixels = render::display_pixels(
-        film, {.exposure = *exposed, .view = request.view_transform(), .dither = request.dither});
+    const auto pixels =
+        render::display_pixels(film, {.exposure = *exposed,
+                                      .view = in_stereo(request, next).view_transform(),
+                                      .dither = request.dither});
     observer.frame({next.change, quality, film.width, film.height, pixels, samples,
                     seconds_since(next.since)});
 }

@@ -4,7 +4,7 @@
 // Questions to the person at the page. Each is an element <dialog>, which keeps the keyboard inside and
 // closes with Escape, and a promise of the answer.
 
-import { html, render, type TemplateResult } from "lit";
+import { html, nothing, render, type TemplateResult } from "lit";
 import type { RenderOrder } from "./protocol";
 
 /** The form's fields by name, and the button that was pressed; null if it was closed. */
@@ -57,32 +57,59 @@ export async function askForSize(size: [number, number]): Promise<string | null>
     return answer && `${answer.get("width")}x${answer.get("height")}`;
 }
 
-export async function askForRender(size: [number, number]): Promise<RenderOrder | null> {
+const checkField = (name: string, words: string, isChecked: boolean) => html`
+    <label><span>${words}</span><input type="checkbox" name=${name} ?checked=${isChecked} /></label>
+`;
+
+/** The fields of a film or a picture that are not those of both come first. */
+async function askForOrder(
+    title: string,
+    [width, height]: [number, number],
+    samples: number,
+    outputs: [string, string][],
+    more: TemplateResult | typeof nothing,
+): Promise<RenderOrder | null> {
     const answer = await ask(
-        "Render in full quality",
+        title,
         html`<div class="fields">
-            ${numberField("width", "Width", size[0], 65536)} ${numberField("height", "Height", size[1], 65536)}
-            ${numberField("samples", "Samples a pixel", 64, 65536)}
-            <label><span>Without noise</span><input type="checkbox" name="denoise" checked /></label>
+            ${more} ${numberField("width", "Width", width, 65536)} ${numberField("height", "Height", height, 65536)}
+            ${numberField("samples", "Samples a pixel", samples, 65536)} ${checkField("denoise", "Without noise", true)}
             <label>
                 <span>File</span>
                 <select name="output">
-                    <option value="png">PNG, for the screen</option>
-                    <option value="exr">EXR, with all its light</option>
+                    ${outputs.map(([value, words]) => html`<option value=${value}>${words}</option>`)}
                 </select>
             </label>
         </div>`,
         [["render", "Render"]],
     );
-    return (
-        answer && {
-            width: Number(answer.get("width")),
-            height: Number(answer.get("height")),
-            samples: Number(answer.get("samples")),
-            denoise: answer.has("denoise"),
-            output: answer.get("output") === "exr" ? "exr" : "png",
-        }
-    );
+    if (!answer) return null;
+    const order: RenderOrder = {
+        width: Number(answer.get("width")),
+        height: Number(answer.get("height")),
+        samples: Number(answer.get("samples")),
+        denoise: answer.has("denoise"),
+        output: String(answer.get("output")),
+    };
+    return answer.has("frames") ? { ...order, frames: Number(answer.get("frames")), turntable: answer.has("turntable") } : order;
+}
+
+export function askForRender(size: [number, number]): Promise<RenderOrder | null> {
+    const outputs: [string, string][] = [
+        ["png", "PNG, for the screen"],
+        ["exr", "EXR, with all its light"],
+    ];
+    return askForOrder("Render in full quality", size, 64, outputs, nothing);
+}
+
+/** The films are extensions of files. */
+export function askForFilm(size: [number, number], frames: number, films: string[]): Promise<RenderOrder | null> {
+    const outputs = films.map((one): [string, string] => [one.slice(1), one.slice(1).toUpperCase()]);
+    const more = html`
+        ${numberField("frames", "Frames", frames, 1_000_000)}
+        ${checkField("turntable", "Once round the scene", false)}
+    `;
+    return askForOrder("Render a film", size, 32, outputs, more);
 }
 
 export async function askForName(name: string): Promise<string | null> {

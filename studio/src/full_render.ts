@@ -1,22 +1,38 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-// Pictures in full quality, which the server writes beside the camera file.
+// Pictures and films in full quality, which the server writes beside the camera file.
 
-import { askForRender, showText } from "./dialogs";
+import { askForFilm, askForRender, showText } from "./dialogs";
+import type { RenderOrder } from "./protocol";
 import type { Session } from "./session";
 
-/** Asks how, and begins. The width is that of a screen unless another one is given. */
-export async function startRender(session: Session, [width, height]: [number, number]): Promise<void> {
+type Size = [number, number];
+
+/** Asks how, and begins. */
+async function start(session: Session, ask: () => Promise<RenderOrder | null>): Promise<void> {
     if (session.render || !session.can("render/start")) return;
-    const usual = 1920;
-    const order = await askForRender([usual, Math.max(1, Math.round((usual * height) / width))]);
+    const order = await ask();
     if (!order) return;
     const { id } = await session.connection.request<{ id: number }>("render/start", order);
     session.render ??= { id, done: 0, seconds: 0 };
 }
 
-/** What there is of the picture is written. */
+/** The shape of the picture that is shown, in another width. */
+const withWidth = (wanted: number, [width, height]: Size): Size => [wanted, Math.max(1, Math.round((wanted * height) / width))];
+
+/** A picture, as wide as a screen unless another width is given. */
+export function startRender(session: Session, shown: Size): Promise<void> {
+    return start(session, () => askForRender(withWidth(1920, shown)));
+}
+
+/** A film of as many frames. Its sides are even, as most films need. */
+export function startFilm(session: Session, shown: Size, frames: number): Promise<void> {
+    const [width, height] = withWidth(1280, shown);
+    return start(session, () => askForFilm([width, height + (height % 2)], frames, session.film.formats));
+}
+
+/** What there is of the picture or the film is written. */
 export async function stopRender({ render, connection }: Session): Promise<void> {
     if (render) await connection.request("render/stop", { id: render.id });
 }

@@ -62,6 +62,16 @@ export interface About {
     time?: number;
     /** Frames a second of films. */
     frameRate?: number;
+    /** How both eyes' pictures are shown in one. */
+    stereoFormats?: { name: string; meaning: string }[];
+    /** The extensions of films that are written: ".mp4". */
+    films?: string[];
+}
+
+/** The keys of a number of the camera, in seconds. */
+export interface ParameterKeys {
+    parameter: string;
+    times: number[];
 }
 
 /** A camera in another language. */
@@ -76,7 +86,12 @@ export interface RenderOrder {
     height: number;
     samples: number;
     denoise: boolean;
-    output: "png" | "exr";
+    /** png, exr, or the extension of a film. */
+    output: string;
+    /** Of a film. */
+    frames?: number;
+    /** Goes once round the scene. */
+    turntable?: boolean;
 }
 
 export interface RenderProgress {
@@ -117,7 +132,11 @@ export interface CameraState {
     diagnostics: FileDiagnostic[];
     open: Parameter[];
     closed: Parameter[];
+    /** They change with time, and have their value at the time that is shown. */
+    moving: Parameter[];
     aspect?: number;
+    /** A name of the stereo formats; without one, it is the picture of one eye. */
+    stereo?: string;
 }
 
 export interface ViewChange {
@@ -127,6 +146,7 @@ export interface ViewChange {
     /** In seconds. */
     time?: number;
     exposure?: boolean;
+    stereo?: string | null;
 }
 
 export type Quality = "coarse" | "preview" | "paths" | "denoised";

@@ -5,6 +5,7 @@
 
 import type { ChangeSet, Text } from "@codemirror/state";
 import { Connection, type Listener, Lost } from "./connection";
+import { FilmTime } from "./film_time";
 import { isSame } from "./handle_marks";
 import type { KnownValue } from "./known_values";
 import { namesIn, positionOf, type Problem, problemsOf, SymbolKind } from "./language_server";
@@ -80,6 +81,7 @@ export class Session implements Listener {
     /** Of a picture in full quality. */
     render: RenderProgress | null = null;
     readonly latency = new Latency();
+    readonly film = new FilmTime(this);
     readonly connection: Connection;
     private readonly text = new SharedText((version, text) => this.send(version, text));
     private savedText: string | null = null;
@@ -131,10 +133,16 @@ export class Session implements Listener {
     /** Those of the camera that is shown, as its text has them. */
     get parameters(): Parameter[] {
         if (!this.camera) return [];
-        const { name, open, closed } = this.camera;
+        const { name, open, closed, moving } = this.camera;
         const declared = this.symbols.find((one) => one.name === name)?.children ?? [];
         const order = namesIn(declared, SymbolKind.parameter);
-        return [...open, ...closed].sort((a, b) => order.indexOf(a.name) - order.indexOf(b.name));
+        return [...open, ...closed, ...moving].sort((a, b) => order.indexOf(a.name) - order.indexOf(b.name));
+    }
+
+    /** The names of those that can follow a hand on the picture. */
+    get pulled(): string[] {
+        const { open, moving } = this.camera ?? { open: [], moving: [] };
+        return this.can("view/drag") ? [...open, ...moving].map(({ name }) => name) : [];
     }
 
     /** Whether u and v are angles. */
@@ -246,7 +254,7 @@ export class Session implements Listener {
         "render/progress": (progress: RenderProgress) => (this.render = progress),
         "render/done": ({ file, stopped, diagnostics }: RenderDone) => {
             this.render = null;
-            const words = file ? `${stopped ? "Stopped: wrote" : "Wrote"} ${file}` : "No picture was written";
+            const words = file ? `${stopped ? "Stopped: wrote" : "Wrote"} ${file}` : "Nothing was written";
             this.page.say([words, ...diagnostics.map(({ message }) => message)].join("\n"), file === null && !stopped);
         },
         "cameras/failed": ({ name, message }: { name: string; message: string }) =>
@@ -290,7 +298,13 @@ export class Session implements Listener {
     /** What stands in the text that the server has. */
     private async learn(): Promise<void> {
         await this.findNames();
+        await this.learnHands();
+    }
+
+    /** What a hand can move of the camera that is chosen. */
+    private async learnHands(): Promise<void> {
         await this.findHandles();
+        await this.film.learn();
     }
 
     private async findNames(): Promise<void> {
@@ -380,22 +394,12 @@ export class Session implements Listener {
         if (change.size) this.size = change.size;
         if (change.camera !== undefined) this.chosen = change.camera;
         if (this.link !== "open") return;
-        if (change.camera !== undefined) this.findHandles().catch(() => {}); // Of a lost connection.
+        if (change.camera !== undefined) this.learnHands().catch(() => {}); // Of a lost connection.
         this.isAtRest = false;
         const number = this.connection.request<{ change: number }>("view/change", change);
         // A new size or camera is not what a hand waits for.
         if (change.values) this.latency.begin(number.then(({ change }) => change));
         else number.catch(() => {}); // Of a lost connection.
-    }
-
-    /** Shows a time in seconds. The number of the change; null without a connection. */
-    showTime(time: number): Promise<number | null> {
-        if (this.link !== "open") return Promise.resolve(null);
-        this.isAtRest = false;
-        return this.connection.request<{ change: number }>("view/change", { time }).then(
-            ({ change }) => change,
-            () => null,
-        );
     }
 
     /** What stands at a pixel of the full size; null if nobody knows. */
@@ -433,7 +437,7 @@ export class Session implements Listener {
     }
 
     /** Edits of the text as it is when they are made. */
-    private async editsOf(method: string, asked: () => object): Promise<TextEdit[]> {
+    async editsOf(method: string, asked: () => object): Promise<TextEdit[]> {
         for (;;) {
             await this.text.whenSettled();
             const made = await this.connection.request<EditsOfText>(method, asked());
@@ -442,9 +446,17 @@ export class Session implements Listener {
         }
     }
 
+    edit(edits: TextEdit[]): void {
+        this.page.edit(edits);
+    }
+
+    changed(): void {
+        this.page.changed();
+    }
+
     /** Writes values into the text, as one step of undo. */
     async write(values: ParameterValue[]): Promise<void> {
-        this.page.edit(await this.editsOf("text/set", () => ({ values })));
+        this.page.edit(await this.editsOf("text/set", () => ({ values, ...this.film.asked })));
         await this.text.whenSettled();
     }
 

@@ -14,7 +14,7 @@ import { askForName, askForSize, confirm, showKeys } from "./dialogs";
 import type { CameraEditor } from "./editor";
 import "./editor";
 import { exportCamera } from "./exports";
-import { copyCommand, startRender, stopRender } from "./full_render";
+import { copyCommand, startFilm, startRender, stopRender } from "./full_render";
 import { HandleHand } from "./handle_hand";
 import type { Pair } from "./handle_marks";
 import { handStep } from "./number_drag";
@@ -208,6 +208,7 @@ export class BalconyStudio extends LitElement implements Page {
         command: () => this.attempt(copyCommand(this.session)),
         export: (language) => this.attempt(exportCamera(this.session, language)),
         expose: () => this.session.changeView({ exposure: true }),
+        stereo: (format) => this.session.changeView({ stereo: format }),
         format: () => this.attempt(this.session.format()),
         theme: (theme) => {
             chooseTheme(theme);
@@ -221,7 +222,7 @@ export class BalconyStudio extends LitElement implements Page {
         },
         timeline: () => {
             this.hasTimeline = !this.hasTimeline;
-            if (!this.hasTimeline) void this.session.showTime(this.session.about?.time ?? 0);
+            if (!this.hasTimeline) void this.session.film.show(this.session.about?.time ?? 0);
             this.changed();
         },
         handles: () => {
@@ -342,7 +343,8 @@ export class BalconyStudio extends LitElement implements Page {
         const { handles, about } = this.session;
         const hand = this.pictureHand;
         const { seen } = hand;
-        const canDrag = this.session.can("view/drag") && about?.readOnly === false;
+        const isOneEye = !this.session.camera?.stereo;
+        const canDrag = this.session.can("view/drag") && about?.readOnly === false && isOneEye;
         const { lattice, overlays, remarks, chosen } = this.inspection;
         return html`
             <picture-overlays
@@ -363,7 +365,7 @@ export class BalconyStudio extends LitElement implements Page {
                       .crosses=${hand.isKept && seen ? [[seen.x, seen.y], ...this.found] : this.found}
                   ></picture-touch>`
                 : nothing}
-            ${this.hasHandles && handles.length > 0
+            ${this.hasHandles && handles.length > 0 && isOneEye
                 ? html`<picture-handles
                       .handles=${handles}
                       .pixels=${this.pixels}
@@ -455,10 +457,11 @@ export class BalconyStudio extends LitElement implements Page {
                     </div>
                     ${this.hasTimeline
                         ? html`<time-line
-                              .rate=${session.about?.frameRate ?? 24}
+                              .film=${session.film}
                               .animation=${session.scene.duration ?? 0}
                               .shown=${shown?.change ?? 0}
-                              .onmove=${(time: number) => session.showTime(time)}
+                              .failed=${(why: unknown) => this.sayFailure(why)}
+                              .onfilm=${(frames: number) => this.attempt(startFilm(session, this.pixels, frames).then(() => this.changed()))}
                           ></time-line>`
                         : nothing}
                     ${camera ? remarkList(this.inspection) : nothing}
@@ -475,7 +478,7 @@ export class BalconyStudio extends LitElement implements Page {
                         aria-label="Numbers of the camera"
                         .parameters=${session.parameters}
                         .isReadOnly=${session.about?.readOnly ?? true}
-                        .canFollow=${session.can("view/drag") ? (camera?.open ?? []).map(({ name }) => name) : []}
+                        .canFollow=${session.pulled}
                     ></parameter-sliders>
                 </section>
                 ${splitter()}

@@ -10,6 +10,7 @@ import type { Inspection } from "./inspection";
 import { type OverlayName, overlayNames } from "./picture_overlays";
 import { nameOf, type SizeChoice, widths } from "./picture_size";
 import type { Session } from "./session";
+import { stereoChoice } from "./stereo";
 import { type Theme, themes } from "./theme";
 
 export interface ToolbarActions {
@@ -24,6 +25,8 @@ export interface ToolbarActions {
     command(): void;
     export(language: string): void;
     expose(): void;
+    /** Both eyes' pictures in a format, or that of one eye. */
+    stereo(format: string | null): void;
     format(): void;
     theme(theme: Theme): void;
     /** Show or hide something. */
@@ -128,6 +131,7 @@ function menu(session: Session, theme: Theme, inspection: Inspection, actions: T
                 ${item("expose", "Expose for this picture", "", actions.expose)}
                 ${session.can("command") ? item("command", "Copy the command line", "", actions.command) : nothing}
                 ${session.can("view/grid") ? overlayChoice(inspection, actions) : nothing}
+                ${stereoChoice(session, actions.stereo)}
                 ${session.can("export") ? exportChoice(session, actions.export) : nothing}
                 <div class="group themes" role="group" aria-label="Colours">
                     <span class="heading">Colours</span>

@@ -37,9 +37,9 @@ class StudioTest(support.CommandTest):
         super().setUp()
         (self.folder / "my.cam").write_text(CAMERA)
 
-    def open(self, *words, scene="scene.obj", camera="my.cam"):
+    def open(self, *words, scene="scene.obj", camera="my.cam", **how):
         """Starts the studio."""
-        self.process = self.start("studio", scene, camera, "--samples", "2", *words)
+        self.process = self.start("studio", scene, camera, "--samples", "2", *words, **how)
         process = self.process
         self.addCleanup(lambda: (process.kill(), process.wait(), process.stdout.close(),
                                  process.stderr.close()))

@@ -45,6 +45,35 @@ class Hands(StudioTest):
             {"number": 1, "value": 2, "step": 0.1}])
         self.assertEqual(applied(text, answer["edits"]), text.replace("size = 3", "size = 2"))
 
+    def test_keys(self):
+        self.open()
+        page = self.page().begin()
+        self.assertEqual(page.result("keys")["keys"], [])
+
+        def written(method, **asked):
+            answer = page.result(method, **asked)
+            self.assertEqual(answer["version"], page.version)
+            return applied(CAMERA, answer["edits"])
+
+        values = [{"parameter": "height", "value": 7}]
+        self.assertEqual(written("text/set", values=values, time=2),
+                         CAMERA.replace("height = 5", "height = 7"))
+        keyed = CAMERA.replace("height = 5", "height = keys((0, 5), (2, 7))")
+        self.assertEqual(written("text/set", values=values, time=2, keys=True, frame=0.04), keyed)
+        page.edit(keyed)
+        self.assertEqual(page.result("keys")["keys"], [{"parameter": "height", "times": [0, 2]}])
+        self.assertEqual(page.result("keys", camera="other")["keys"], [])
+        # What is shown has the value of the time.
+        told = page.wait_for("view/camera", change=page.result("view/change", time=1)["change"])
+        height = next(one for one in told["moving"] if one["name"] == "height")
+        self.assertEqual((height["value"], height["written"]), (6, "keys((0, 5), (2, 7))"))
+        [edit] = page.result("text/unkey", time=2.01)["edits"]
+        self.assertEqual(edit["newText"], "5")
+        self.assertIn("no parameter has a key at 1 s",
+                      page.error("text/unkey", time=1)["message"])
+        for wrong in ({"time": "one"}, {"keys": 1}, {"frame": []}):
+            self.assertEqual(page.error("text/set", values=values, **wrong)["code"], -32602)
+
     def test_handles_of_another_camera(self):
         (self.folder / "my.cam").write_text("camera wide = pinhole(fov = 100deg)\n" + CAMERA)
         self.open()

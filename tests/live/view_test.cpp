@@ -4,6 +4,7 @@
 // A view shows the newest camera, first coarsely, then better and better.
 
 #include <chrono>
+#include <cmath>
 #include <condition_variable>
 #include <cstdint>
 #include <filesystem>
@@ -229,15 +230,78 @@ TEST_F(ViewTest, ShowsATime) {
     EXPECT_EQ(pixels_of(moved, Quality::preview),
               pixels_of(told_.frames_of(only), Quality::preview));
     EXPECT_EQ(moved.back().pixels, told_.frames_of(only).back().pixels);
-    // The solver has no time.
-    const std::uint64_t pulled = other->change(
-        {.drag = Drag{.pulls = {{.point = {2, 0, 0}, .from = {5, 5}, .to = {9, 5}}}}});
-    ASSERT_TRUE(told_.rests_at(pulled));
-    EXPECT_TRUE(has_errors(told_.drags().back().diagnostics));
-    EXPECT_EQ(told_.drags().back().points.size(), 1U);
+    // A hand pulls at the picture of this time. The camera looks 1.5 rad to the left; what was in
+    // the middle is pulled to the right, by turning on. The scene has y upwards.
+    const Imath::V3d middle(std::cos(1.5), 0.0, -std::sin(1.5));
+    for (const double time : {1.5, 1.0}) {
+        const std::uint64_t pulled = other->change(
+            {.time = time,
+             .drag = Drag{.pulls = {{.point = middle, .from = {32, 24}, .to = {40, 24}}},
+                          .parameters = {"turn"}}});
+        ASSERT_TRUE(told_.rests_at(pulled));
+        const Dragged dragged = told_.drags().back();
+        ASSERT_EQ(dragged.values.size(), 1U) << to_text(dragged.diagnostics);
+        const double pixel = 2.0943951023931953 / 64.0;  // Of 120 degrees.
+        EXPECT_NEAR(dragged.values[0].value, 1.5 - time + 8.0 * pixel, 1e-6);
+        EXPECT_TRUE(dragged.points[0].follows);
+    }
 }
 
 // What follows a hand is shown until the drag ends.
+// A number that goes from key to key has a value at each time, and a hand may give it another one.
+TEST_F(ViewTest, AKeyedNumberMovesUnderTheHand) {
+    request_.exposure = 0.0;
+    std::string keyed = fisheye;
+    keyed.replace(keyed.find("0deg"), 4, "keys((0, 0deg), (2, 1rad))");
+    const std::unique_ptr<View> view = open({.traces_paths = false});
+    const auto pixels = [&](std::uint64_t change) {
+        EXPECT_TRUE(told_.rests_at(change)) << told_.mistakes();
+        const std::vector<Frame> frames = told_.frames_of(change);
+        return frames.empty() ? std::vector<std::uint8_t>() : frames.back().pixels;
+    };
+    const auto turn = [&] {
+        const CameraState state = told_.cameras().back();
+        for (const auto* const some : {&state.open, &state.moving}) {
+            for (const lang::OpenParameter& one : *some) {
+                if (one.name == "turn") {
+                    EXPECT_TRUE(one.is_angle);
+                    return one.value;
+                }
+            }
+        }
+        ADD_FAILURE() << "there is no turn";
+        return 0.0;
+    };
+    const auto at_start = pixels(view->change({.text = keyed, .size = {{32, 24}}}));
+    EXPECT_EQ(turn(), 0.0);
+    const auto later = pixels(view->change({.time = 1.5}));
+    EXPECT_NEAR(turn(), 0.75, 1e-12);
+    EXPECT_NE(at_start, later);
+    // One hand moves it, also several times, and beside another number, and lets it go.
+    const auto moved = pixels(view->change({.values = {{{"turn", -0.5}}}}));
+    EXPECT_NEAR(turn(), -0.5, 1e-12);
+    EXPECT_NE(moved, later);
+    EXPECT_EQ(pixels(view->change({.values = {{{"turn", 0.75}}}})), later);
+    EXPECT_EQ(pixels(view->change({.values = {{{"turn", -0.5}}}})), moved);
+    EXPECT_NE(pixels(view->change({.values = {{{"turn", -0.5}, {"width", 1.0}}}})), moved);
+    EXPECT_EQ(pixels(view->change({.values = {{{"turn", -0.5}}}})), moved);
+    EXPECT_EQ(pixels(view->change({.values = std::vector<Value>()})), later);
+    EXPECT_NEAR(turn(), 0.75, 1e-12);
+    EXPECT_EQ(pixels(view->change({.time = 0.0})), at_start);
+    // It follows a hand on the picture, and is what it was without one.
+    const std::uint64_t pulled =
+        view->change({.time = 1.5,
+                      .drag = Drag{.pulls = {{.point = {std::cos(0.75), 0.0, -std::sin(0.75)},
+                                              .from = {16, 12},
+                                              .to = {20, 12}}},
+                                   .parameters = {"turn"}}});
+    EXPECT_NE(pixels(pulled), later);
+    ASSERT_EQ(told_.drags().back().values.size(), 1U) << told_.mistakes();
+    const double pixel = 2.0943951023931953 / 32.0;  // Of 120 degrees.
+    EXPECT_NEAR(told_.drags().back().values[0].value, 0.75 + 4.0 * pixel, 1e-6);
+    EXPECT_EQ(pixels(view->change({.drag = Drag()})), later);
+}
+
 TEST_F(ViewTest, ShowsWhatFollowsADrag) {
     const std::unique_ptr<View> view = open({.traces_paths = false});
     const std::uint64_t before = view->change({.text = fisheye, .size = {{64, 48}}});

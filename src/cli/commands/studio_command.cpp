@@ -79,6 +79,11 @@ ExitCode serve(const StudioOptions& options) {
     if (has_errors(found)) {
         return give({found}, options.manner);
     }
+    if (options.request.stereo.has_two_files()) {
+        return give({{error(Kind::usage, "the studio shows one picture, not two files",
+                            "choose another --stereo, such as side_by_side")}},
+                    options.manner);
+    }
     if (const app::SizeRequest& size = options.request.size; size.width || size.height) {
         const auto [width, height] = size.resolve(16.0 / 9.0);
         made.size = {width, height};
@@ -106,6 +111,7 @@ app::Options<app::Request> view_options() {
     app::Options<app::Request> made = app::scene_options();
     made.rows.push_back(app::time_option(1e9, &app::Request::settings, &render::Settings::time));
     made.add(&app::Request::shutter, app::shutter_options());
+    made.add(&app::Request::stereo, app::stereo_options());
     made.add(app::picture_options());
     made.add(app::thread_options());
     made.leave_out({"--camera", "--set", "--solve", "--crop", "--scale", "--mm-per-pixel",

@@ -28,6 +28,12 @@ std::string quoted(const std::string& word) {
     return fmt::format("'{}'", inside);
 }
 
+// An option with its value.
+void leave_out(std::string_view option, std::vector<std::string>& words) {
+    const auto given = std::find(words.begin(), words.end(), option);
+    words.erase(given, given == words.end() ? given : given + 2);
+}
+
 }  // namespace
 
 std::string command_line(const Options& options, const live::Shown& shown,
@@ -47,9 +53,17 @@ std::string command_line(const Options& options, const live::Shown& shown,
     words.insert(words.end(), {"--size", fmt::format("{}x{}", shown.size[0], shown.size[1])});
     words.insert(words.end(), options.words.begin(), options.words.end());
     if (shown.time != options.request.settings.time) {
-        const auto given = std::find(words.begin(), words.end(), "--time");
-        words.erase(given, given == words.end() ? given : given + 2);
+        leave_out("--time", words);
         words.insert(words.end(), {"--time", fmt::format("{}", shown.time)});
+    }
+    leave_out("--stereo", words);
+    if (shown.stereo) {
+        words.insert(words.end(),
+                     {"--stereo", std::string(camera::stereo_formats()[*shown.stereo].name)});
+    } else {
+        for (const char* of_pair : {"--separation", "--convergence", "--baseline", "--merge"}) {
+            leave_out(of_pair, words);
+        }
     }
     const bool is_placed = options.request.placement.fit.value_or(false);
     if (is_placed && std::find(words.begin(), words.end(), "--fit") == words.end()) {

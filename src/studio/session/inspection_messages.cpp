@@ -92,14 +92,6 @@ json remarks_answer(live::Inspector& inspector, const json& /*asked*/,
     return {{"remarks", std::move(remarks)}};
 }
 
-json languages() {
-    json made = json::array();
-    for (const bridge::ExportTarget& one : bridge::export_targets()) {
-        made.push_back({{"name", one.name}, {"meaning", one.meaning}});
-    }
-    return made;
-}
-
 json export_answer(live::Inspector& inspector, const json& asked, const std::stop_token& stop) {
     const std::string language = asked.at("language").get<std::string>();
     const bridge::ExportTarget* const target = bridge::find_export_target(language);

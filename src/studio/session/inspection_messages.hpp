@@ -28,7 +28,5 @@ namespace balcony::studio {
 /// The camera of the picture in another language.
 [[nodiscard]] nlohmann::json export_answer(live::Inspector& inspector, const nlohmann::json& asked,
                                            const std::stop_token& stop);
-/// The languages that there are.
-[[nodiscard]] nlohmann::json languages();
 
 }  // namespace balcony::studio

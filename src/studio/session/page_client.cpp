@@ -47,7 +47,10 @@ const PageClient::TextRow PageClient::text_rows[] = {
     {"handles", [](const lang::EditedText& text, const std::string& camera,
                    const json&) { return handles_answer(text, camera); }},
     {"handles/move", moved_answer},
+    {"keys", [](const lang::EditedText& text, const std::string& camera,
+                const json&) { return keys_answer(text, camera); }},
     {"text/set", values_answer},
+    {"text/unkey", without_keys_answer},
 };
 
 // Requests about the picture that is shown, with the name of the `file` that it comes from.

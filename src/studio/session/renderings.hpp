@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Pictures in full quality, rendered one after the other into files beside the camera file.
+// Pictures and films in full quality, rendered one after the other into files beside the camera
+// file.
 //
 // Belongs to the thread of the server.
 
@@ -15,10 +16,10 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "balcony/app.hpp"
 #include "balcony/live.hpp"
 #include "studio/serve.hpp"
 #include "studio/session/inspection.hpp"
+#include "studio/session/render_order.hpp"
 #include "studio/web/server.hpp"
 
 namespace balcony::studio {
@@ -36,12 +37,12 @@ public:
     /// Renders what the view shows now, after what was asked for before. The result has its number
     /// and its file. Throws a Refusal.
     [[nodiscard]] nlohmann::json start(const nlohmann::json& asked);
-    /// Ends one: what there is of its picture is written.
+    /// Ends one: what there is of its picture, or of its frames, is written.
     void stop(const nlohmann::json& asked);
 
 private:
-    [[nodiscard]] std::filesystem::path unused_file(const std::string& ending) const;
-    void end(int number, const app::Report& report);
+    [[nodiscard]] std::filesystem::path unused_file(const RenderOrder& order) const;
+    void end(int number, const Rendered& made);
 
     Server& server_;
     const live::View& view_;

@@ -7,10 +7,12 @@
 
 #include <fmt/format.h>
 
+#include "balcony/animation.hpp"
+#include "balcony/export.hpp"
+#include "balcony/stereo.hpp"
 #include "lsp/open_text.hpp"
 #include "lsp/rpc.hpp"
 #include "studio/session/command_line.hpp"
-#include "studio/session/inspection_messages.hpp"
 #include "studio/session/page_client.hpp"
 #include "studio/session/view_messages.hpp"
 #include "studio/web/access.hpp"
@@ -77,7 +79,9 @@ live::Observer Studio::observer() {
             }),
             .camera = told([this](const live::CameraState& state) {
                 parameters_ = state.open;
-                parameters_.insert(parameters_.end(), state.closed.begin(), state.closed.end());
+                for (const auto* const more : {&state.closed, &state.moving}) {
+                    parameters_.insert(parameters_.end(), more->begin(), more->end());
+                }
                 tell_all(camera_told_, "view/camera", told_of(state));
             }),
             .drag = told([this](const live::Dragged& dragged) {
@@ -115,7 +119,9 @@ json Studio::about() const {
             {"scene", options_.request.scene},
             {"readOnly", options_.is_read_only},
             {"size", options_.size},
-            {"languages", languages()},
+            {"languages", choices_of(bridge::export_targets())},
+            {"films", app::film_extensions()},
+            {"stereoFormats", choices_of(camera::stereo_formats())},
             {"time", options_.request.settings.time},
             {"frameRate", 1.0 / options_.request.shutter.rate.frame_time()}};
 }

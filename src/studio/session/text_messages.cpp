@@ -95,13 +95,37 @@ json moved_answer(const lang::EditedText& text, const std::string& camera, const
                        "the text has no such handle: ask for its handles again"};
 }
 
+namespace {
+
+// The frame is that of films.
+lang::KeyTime key_time_of(const json& asked) {
+    return {.time = asked.value("time", 0.0),
+            .frame = asked.value("frame", lang::KeyTime().frame),
+            .begins_keys = asked.value("keys", false)};
+}
+
+}  // namespace
+
+json keys_answer(const lang::EditedText& text, const std::string& camera) {
+    json keys = json::array();
+    for (const lang::ParameterKeys& one : text.keys(camera)) {
+        keys.push_back({{"parameter", one.parameter}, {"times", one.times}});
+    }
+    return {{"keys", std::move(keys)}};
+}
+
+json without_keys_answer(const lang::EditedText& text, const std::string& camera,
+                         const json& asked) {
+    return edits_answer(text, text.without_keys(camera, key_time_of(asked)));
+}
+
 json values_answer(const lang::EditedText& text, const std::string& camera, const json& asked) {
     std::vector<lang::ParameterMove> moves;
     for (const json& one : asked.at("values")) {
         moves.push_back({one.at("parameter").get<std::string>(), one.at("value").get<double>(),
                          one.value("step", 0.0)});
     }
-    return edits_answer(text, text.with_values(camera, moves));
+    return edits_answer(text, text.with_values(camera, moves, key_time_of(asked)));
 }
 
 }  // namespace balcony::studio

@@ -19,6 +19,12 @@ namespace balcony::studio {
 /// The edits that move one of them.
 [[nodiscard]] nlohmann::json moved_answer(const lang::EditedText& text, const std::string& camera,
                                           const nlohmann::json& asked);
+/// The keys of a camera's parameters.
+[[nodiscard]] nlohmann::json keys_answer(const lang::EditedText& text, const std::string& camera);
+/// The edits that take its keys at a time away.
+[[nodiscard]] nlohmann::json without_keys_answer(const lang::EditedText& text,
+                                                 const std::string& camera,
+                                                 const nlohmann::json& asked);
 /// The edits that give parameters other values.
 [[nodiscard]] nlohmann::json values_answer(const lang::EditedText& text, const std::string& camera,
                                            const nlohmann::json& asked);

@@ -57,6 +57,18 @@ json told_of(const std::vector<live::Value>& values) {
     return made;
 }
 
+// Nothing is one eye.
+std::optional<camera::StereoFormat> stereo_of(const json& asked) {
+    if (asked.is_null()) {
+        return std::nullopt;
+    }
+    const auto format = camera::stereo_formats().find(asked.get<std::string>());
+    if (!format) {
+        throw lsp::Refusal{lsp::invalid_params, "a stereo format is one of stereoFormats, or null"};
+    }
+    return format;
+}
+
 Imath::V2d position_of(const json& asked) {
     return {asked.at(0).get<double>(), asked.at(1).get<double>()};
 }
@@ -122,6 +134,9 @@ live::Change change_of(const json& asked) {
             throw lsp::Refusal{lsp::invalid_params, "a time is a number of seconds"};
         }
     }
+    if (asked.contains("stereo")) {
+        change.stereo.emplace(stereo_of(asked["stereo"]));
+    }
     change.choose_exposure = asked.value("exposure", false);
     return change;
 }
@@ -164,9 +179,13 @@ json told_of(const live::CameraState& state) {
               {"name", state.name},
               {"diagnostics", told_of(state.diagnostics)},
               {"open", told_of_parameters(state.open)},
-              {"closed", told_of_parameters(state.closed)}};
+              {"closed", told_of_parameters(state.closed)},
+              {"moving", told_of_parameters(state.moving)}};
     if (state.aspect) {
         made["aspect"] = *state.aspect;
+    }
+    if (state.stereo) {
+        made["stereo"] = camera::stereo_formats()[*state.stereo].name;
     }
     return made;
 }

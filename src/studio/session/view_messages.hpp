@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 
 #include "balcony/live.hpp"
 
@@ -24,6 +24,16 @@ namespace balcony::studio {
 /// A number from 1; `what` it is begins the message.
 [[nodiscard]] std::size_t count_of(const nlohmann::json& asked, std::size_t most,
                                    std::string_view what);
+
+/// What a page may choose from: the names of rows, with a line for each.
+template <class Rows>
+[[nodiscard]] nlohmann::json choices_of(const Rows& rows) {
+    nlohmann::json made = nlohmann::json::array();
+    for (const auto& one : rows) {
+        made.push_back({{"name", one.name}, {"meaning", one.meaning}});
+    }
+    return made;
+}
 
 /// As a text shows them that is the view's.
 [[nodiscard]] nlohmann::json told_of(const Diagnostics& found);
