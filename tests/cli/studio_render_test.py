@@ -158,6 +158,18 @@ class Render(StudioTest):
         self.assertEqual((done["file"], done["stopped"]), (None, True))
         self.assertFalse([name for name in self.files() if "frames" in name or "-2" in name])
 
+    @unittest.skipUnless(has_ffmpeg, "ffmpeg is not installed")
+    def test_the_end_of_the_studio_leaves_no_empty_folders(self):
+        self.open()
+        page = self.shown()
+        for output in ("gif", "mp4"):
+            page.result("render/start", width=40, height=30, samples=1, frames=100_000,
+                        output=output)
+        page.wait_for("render/progress")
+        self.process.terminate()
+        self.process.wait(60)
+        self.assertFalse([name for name in self.files() if "frames" in name or ".mp4" in name])
+
     def test_films_that_cannot_be(self):
         self.open(env=dict(os.environ, PATH="/nowhere"))
         page = self.shown()

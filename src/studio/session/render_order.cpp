@@ -79,11 +79,20 @@ Rendered make(live::Inspector& inspector, const app::Request& picture,
             report.diagnostics};
 }
 
+// That of the frames, which it is prepared with.
+void remove_empty_folder(const app::AnimationRequest& film) {
+    std::error_code ignored;
+    fs::remove(film.pattern.folder(), ignored);
+}
+
 // A frame is as far as its tiles are.
 Rendered make(live::Inspector& inspector, const app::AnimationRequest& film,
               const std::function<void(double, double)>& tell, const std::stop_token& stop) {
     using Clock = std::chrono::steady_clock;
     const Clock::time_point begin = Clock::now();
+    if (Diagnostics found = app::prepare_output(film); has_errors(found)) {
+        return {.diagnostics = std::move(found)};
+    }
     double before = 0.0;
     double frame = 1.0;
     app::Observer observer;
@@ -96,8 +105,7 @@ Rendered make(live::Inspector& inspector, const app::AnimationRequest& film,
              std::chrono::duration<double>(Clock::now() - begin).count());
     };
     const app::AnimationReport report = inspector.animate(film, observer, stop);
-    std::error_code ignored;
-    fs::remove(film.pattern.folder(), ignored);  // That it was prepared with, if it is empty.
+    remove_empty_folder(film);
     return {report.film, report.interrupted, film.picture.samples.value_or(app::default_samples),
             report.seconds, report.diagnostics};
 }
@@ -129,6 +137,7 @@ void RenderOrder::write_to(const fs::path& file) {
     if (const Diagnostics found = app::prepare_output(film); has_errors(found)) {
         throw lsp::Refusal{lsp::request_failed, to_text(found)};
     }
+    remove_empty_folder(film);  // It may never begin.
 }
 
 Rendered RenderOrder::carry_out(live::Inspector& inspector,
