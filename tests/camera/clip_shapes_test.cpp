@@ -242,6 +242,8 @@ TEST(ImageMask, HasItsRowsFromTheTop) {
 
 TEST(Polygon, RefusesWhatHasNoSides) {
     EXPECT_FALSE(try_stage(StageKind::clip_shape, "polygon", list({0.1, 0.1, 0.1, 0.1, 0.5, 0.5})));
+    // Also the last one and the first.
+    EXPECT_FALSE(try_stage(StageKind::clip_shape, "polygon", list({0.1, 0.1, 0.5, 0.5, 0.1, 0.1})));
 }
 
 TEST(Polygon, HasAtMost256Corners) {

@@ -19,6 +19,8 @@ from tools import CORES, FOLDER, REPOSITORY, Failure, run
 SEED = 1
 NO_MISTAKES = REPOSITORY / "tests/nightly/no_mistakes.toml"
 AIM = 0.9
+# Whose stages the tests of these layers use, too.
+ALSO_TESTED_BY = {"camera": ("cameras", "lang")}
 OPERATORS = {" + ": " - ", " - ": " + ", " * ": " / ", " / ": " * ", " < ": " <= ", " <= ": " < ",
              " > ": " >= ", " >= ": " > ", " == ": " != ", " != ": " == ", " && ": " || ",
              " || ": " && ", " += ": " -= ", " -= ": " += ", "++": "--", "std::min(": "std::max(",
@@ -50,25 +52,15 @@ def mutants_of(layer):
             yield name, match.start(), match[0], changed(match[0])
 
 
-class Copy:
-    """A work tree of this commit, of some, with its own build of the tests of a layer."""
+class TestProgram:
+    """That of a layer, in a build of a copy."""
 
-    def __init__(self, layer, index):
-        self.tree = FOLDER / f"mutants-{index}"
+    def __init__(self, tree, layer):
+        self.tree = tree
         self.target = f"{layer}_test"
-        self.test = self.tree / "build/mutants/tests" / layer / self.target
-        if not self.tree.exists():
-            run("git", "worktree", "prune")
-            run("git", "worktree", "add", "--detach", self.tree, "HEAD")
-        run("git", "checkout", "--force", "--detach",
-            run("git", "rev-parse", "HEAD").strip(), cwd=self.tree)
-        # A mutant may leave a name unused, and is one file, which is compiled by itself.
-        run("cmake", "--preset", "ci", "-B", "build/mutants", "-DBALCONY_WERROR=OFF",
-            "-DBALCONY_BENCH=OFF", "-DBALCONY_UNITY=OFF",
-            "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG", cwd=self.tree)
+        self.file = tree / "build/mutants/tests" / layer / self.target
         if not self.builds():
             raise Failure("the tests do not build")
-        self.content = self.fingerprint()
         began = os.times().elapsed
         if not self.passes(3600):
             raise Failure("the tests fail without a mutant")
@@ -80,16 +72,36 @@ class Copy:
                               check=False).returncode == 0
 
     def fingerprint(self):
-        return hashlib.sha256(self.test.read_bytes()).hexdigest()
+        return hashlib.sha256(self.file.read_bytes()).hexdigest()
 
     def passes(self, limit):
         try:
-            return subprocess.run(["prlimit", "--as=8000000000", self.test, "--gtest_brief=1",
+            return subprocess.run(["prlimit", "--as=8000000000", self.file, "--gtest_brief=1",
                                    "--gtest_fail_fast"], cwd=self.tree,
                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
                                   timeout=limit, check=False).returncode == 0
         except subprocess.TimeoutExpired:
             return False
+
+
+class Copy:
+    """A work tree of this commit, of some, with its own build of the tests of a layer."""
+
+    def __init__(self, layer, index):
+        self.tree = FOLDER / f"mutants-{index}"
+        if not self.tree.exists():
+            run("git", "worktree", "prune")
+            run("git", "worktree", "add", "--detach", self.tree, "HEAD")
+        run("git", "checkout", "--force", "--detach",
+            run("git", "rev-parse", "HEAD").strip(), cwd=self.tree)
+        # A mutant may leave a name unused, and is one file, which is compiled by itself. One that
+        # goes beyond the end of a list is noticed.
+        run("cmake", "--preset", "ci", "-B", "build/mutants", "-DBALCONY_WERROR=OFF",
+            "-DBALCONY_BENCH=OFF", "-DBALCONY_UNITY=OFF",
+            "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG -D_GLIBCXX_ASSERTIONS", cwd=self.tree)
+        self.own, *self.others = (TestProgram(self.tree, one)
+                                  for one in (layer, *ALSO_TESTED_BY.get(layer, ())))
+        self.content = self.own.fingerprint()
 
     def fate(self, mutant):
         """killed, survived, or equal: it does not compile, or to the same program."""
@@ -98,9 +110,11 @@ class Copy:
         text = path.read_text()
         path.write_text(text[:offset] + after + text[offset + len(before):])
         try:
-            if not self.builds() or self.fingerprint() == self.content:
+            if not self.own.builds() or self.own.fingerprint() == self.content:
                 return "equal"
-            return "survived" if self.passes(self.limit) else "killed"
+            survives = self.own.passes(self.own.limit) and all(
+                other.builds() and other.passes(other.limit) for other in self.others)
+            return "survived" if survives else "killed"
         finally:
             path.write_text(text)
 
