@@ -163,6 +163,26 @@ TEST(StereoCameras, PairsHaveOffAxisFrusta) {
     }
 }
 
+// A camera whose moves leave no height has the axes' own.
+TEST(StereoCameras, StandUprightWhereMovesLeaveNoHeight) {
+    const auto text = std::make_shared<const SourceText>("flat.cam", R"(camera flat {
+    aspect 1
+    map    u = 0.5 .. -0.5, v = square
+    eye    point(0, 0, 2)
+    toward plane((1, 0, 0))
+    move   formula(x, y, z) = [x, y, 0]
+    stereo(separation = 0.1, side = 1, baseline = level)
+}
+)");
+    const auto flat = lang::Workspace().make_picture({text});
+    ASSERT_TRUE(flat) << to_text(flat.diagnostics);
+    const Layers eye(*flat);
+    at_fractions([&](const V2d& at) {
+        const V3d direction = V3d(1.0, 0.5 - at.x, 0.0).normalized();
+        expect_same(eye.at(0, at), 0.05 * direction.cross(V3d(0.0, 0.0, 1.0)), direction);
+    });
+}
+
 TEST(StereoCameras, TheAnaglyphHasTheColoursOfTheOption) {
     const camera::Picture built_in = make_picture("anaglyph");
     const auto made =

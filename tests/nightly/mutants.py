@@ -20,7 +20,7 @@ SEED = 1
 NO_MISTAKES = REPOSITORY / "tests/nightly/no_mistakes.toml"
 AIM = 0.9
 # Whose stages the tests of these layers use, too.
-ALSO_TESTED_BY = {"camera": ("cameras", "lang")}
+ALSO_TESTED_BY = {"camera": ("rays", "cameras", "lang")}
 OPERATORS = {" + ": " - ", " - ": " + ", " * ": " / ", " / ": " * ", " < ": " <= ", " <= ": " < ",
              " > ": " >= ", " >= ": " > ", " == ": " != ", " != ": " == ", " && ": " || ",
              " || ": " && ", " += ": " -= ", " -= ": " += ", "++": "--", "std::min(": "std::max(",
