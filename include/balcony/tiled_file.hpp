@@ -12,6 +12,7 @@
 
 #include "balcony/base.hpp"
 #include "balcony/film.hpp"
+#include "balcony/work_file.hpp"
 
 namespace balcony::render {
 
@@ -33,10 +34,14 @@ public:
     /// there is none.
     [[nodiscard]] static Result<TiledFile> create(const std::filesystem::path& picture,
                                                   const Film& film, const Region& window);
-    /// The unfinished file with the rows of tiles that have these hashes, as flush() gave them, or
-    /// with those above the first damaged one: rows() tells. What comes after them is removed. A
-    /// file that is missing or of another picture is an error.
-    [[nodiscard]] static Result<TiledFile> reopen(const std::filesystem::path& picture,
+    /// The unfinished file for this process alone. It is an error if it is missing, and one of
+    /// Kind::usage if another process writes it.
+    [[nodiscard]] static Result<WorkFile> open(const std::filesystem::path& picture);
+    /// That file with the rows of tiles that have these hashes, as flush() gave them, or with those
+    /// above the first damaged one: rows() tells. What comes after them is removed. A file of
+    /// another picture is an error.
+    [[nodiscard]] static Result<TiledFile> reopen(WorkFile file,
+                                                  const std::filesystem::path& picture,
                                                   const Film& film, const Region& window,
                                                   std::vector<std::uint64_t> hashes);
     TiledFile(TiledFile&&) noexcept;

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Renders that are killed, run out of space or time, and are resumed."""
 
+import fcntl
 import os
 import random
 import resource
@@ -442,6 +443,15 @@ class Bands(ResumedTest):
         process.communicate()
         self.assertEqual(process.returncode, 0)
         self.assertEqual(self.bytes_of("p.exr"), self.whole(*self.LONG))
+
+    # Its checkpoint is another one the next moment, so it is not looked at.
+    def test_the_checkpoint_of_a_running_process_is_not_read(self):
+        self.killed_with_checkpoint()
+        (self.folder / "p.exr.checkpoint").write_bytes(b"half a checkpoint")
+        with open(self.folder / "p.exr.part", "r+b") as part:
+            fcntl.flock(part, fcntl.LOCK_EX)
+            self.refused(*self.LONG, "--resume", "-o", "p.exr", code=2,
+                         says="another process is writing 'p.exr.part'", helps="another name")
 
     def test_a_picture_in_bands_is_not_denoised(self):
         _, err = self.run_command(*self.LONG[:-2], "-s", "1", "--denoise", "-o", "p.exr")

@@ -47,6 +47,14 @@ protected:
     void SetUp() override { fs::create_directories(folder); }
     void TearDown() override { fs::remove_all(folder); }
 
+    [[nodiscard]] Result<TiledFile> reopened_file(const Film& film,
+                                                  std::vector<std::uint64_t> hashes) const {
+        Result<WorkFile> file = TiledFile::open(folder / "p.exr");
+        return file ? TiledFile::reopen(std::move(*file), folder / "p.exr", film, window(),
+                                        std::move(hashes))
+                    : Result<TiledFile>(std::move(file.diagnostics));
+    }
+
     // Renders to the end, or until so many bands are in the file, which then stays unfinished.
     void render_all(BandedRender& bands, TiledFile& file, std::size_t most = 1000) {
         std::size_t count = 0;
@@ -122,7 +130,7 @@ TEST_F(Bands, AnotherProcessContinuesToTheSameFile) {
     ASSERT_TRUE(bands->go_to(heading->window.y, heading->window.height));
     ASSERT_TRUE(read_checkpoint(bands->film(), facts, folder / "checkpoint").empty());
     EXPECT_EQ(bands->film().samples(0, 64), 2U);
-    auto file = TiledFile::reopen(folder / "p.exr", bands->film(), window(), heading->finished);
+    auto file = reopened_file(bands->film(), heading->finished);
     ASSERT_TRUE(file) << to_text(file.diagnostics);
     EXPECT_EQ(file->rows(), 1U);
     render_all(*bands, *file);
@@ -149,7 +157,7 @@ TEST_F(Bands, WhatIsDamagedIsRenderedAgain) {
     const auto rows_of = [&](const std::string& bytes) {
         std::ofstream(part, std::ios::binary) << bytes;
         auto bands = BandedRender::make(renderer, camera, settings, layout, 64);
-        auto file = TiledFile::reopen(folder / "p.exr", bands->film(), window(), finished);
+        auto file = reopened_file(bands->film(), finished);
         const std::size_t rows = file->rows();
         EXPECT_TRUE(rows == 0 || bands->begin_at(rows * file_tile_side));
         render_all(*bands, *file);
@@ -173,7 +181,7 @@ TEST_F(Bands, OnlyFilesOfThePictureAreContinued) {
     auto bands = BandedRender::make(renderer, camera, settings, layout, 64);
     const fs::path part = TiledFile::unfinished(folder / "p.exr");
     const auto reopened = [&](const Film& film) {
-        return static_cast<bool>(TiledFile::reopen(folder / "p.exr", film, window(), {}));
+        return static_cast<bool>(reopened_file(film, {}));
     };
     EXPECT_FALSE(reopened(bands->film()));
     {

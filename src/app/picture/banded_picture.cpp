@@ -92,7 +92,12 @@ private:
         return std::move(file.diagnostics);
     }
 
+    // Another process that writes the picture would change the checkpoint meanwhile.
     [[nodiscard]] Diagnostics resume() {
+        Result<WorkFile> part = render::TiledFile::open(request_.output);
+        if (kind_of_errors(part.diagnostics) == Kind::usage) {
+            return part.diagnostics;
+        }
         const auto heading = render::read_checkpoint_heading(checkpoint_.file());
         if (!heading) {
             return heading.diagnostics;
@@ -103,8 +108,11 @@ private:
         if (Diagnostics found = checkpoint_.load(bands_.film()); !found.empty()) {
             return found;
         }
-        if (Diagnostics found = take(render::TiledFile::reopen(request_.output, bands_.film(),
-                                                               window_, heading->finished));
+        if (!part) {
+            return part.diagnostics;
+        }
+        if (Diagnostics found = take(render::TiledFile::reopen(
+                std::move(*part), request_.output, bands_.film(), window_, heading->finished));
             !found.empty()) {
             return found;
         }

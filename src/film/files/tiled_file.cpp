@@ -23,7 +23,6 @@
 #include "balcony/content_hash.hpp"
 #include "balcony/output_file.hpp"
 #include "balcony/tiled_file.hpp"
-#include "balcony/work_file.hpp"
 #include "base/parallel_for.hpp"
 #include "film/files/exr_channels.hpp"
 
@@ -246,25 +245,28 @@ Result<TiledFile> TiledFile::create(const fs::path& picture, const Film& film,
     return TiledFile(std::move(state));
 }
 
-Result<TiledFile> TiledFile::reopen(const fs::path& picture, const Film& film, const Region& window,
-                                    std::vector<std::uint64_t> hashes) {
+namespace {
+
+Diagnostic refused(const fs::path& part, std::string_view fault) {
+    return error(Kind::input,
+                 fmt::format("'{}', the finished part of the picture, is {}", part.string(), fault),
+                 "restore it, or render without --resume to begin anew");
+}
+
+}  // namespace
+
+Result<WorkFile> TiledFile::open(const fs::path& picture) {
+    const fs::path part = unfinished(picture);
+    return fs::exists(fs::symlink_status(part)) ? WorkFile::reopen(part)
+                                                : Result<WorkFile>(refused(part, "missing"));
+}
+
+Result<TiledFile> TiledFile::reopen(WorkFile file, const fs::path& picture, const Film& film,
+                                    const Region& window, std::vector<std::uint64_t> hashes) {
     auto state = std::make_unique<State>(picture, film, window);
-    const auto refused = [&](std::string_view fault) {
-        return error(Kind::input,
-                     fmt::format("'{}', the finished part of the picture, is {}",
-                                 state->part.string(), fault),
-                     "restore it, or render without --resume to begin anew");
-    };
-    if (!fs::exists(fs::symlink_status(state->part))) {
-        return refused("missing");
-    }
-    Result<WorkFile> opened = WorkFile::reopen(state->part);
-    if (!opened) {
-        return opened.diagnostics;
-    }
-    state->file = std::move(opened.value);
+    state->file = std::move(file);
     if (!state->begins_as_this_one()) {
-        return refused("damaged or of another one");
+        return refused(state->part, "damaged or of another one");
     }
     hashes.resize(std::min(hashes.size(), state->all_rows));
     state->find_rows(hashes);
