@@ -37,7 +37,8 @@ struct Change {
     std::optional<std::vector<Value>> values{};        ///< All of them.
     std::optional<std::array<std::size_t, 2>> size{};  ///< Width and height in pixels.
     std::optional<double> time{};  ///< In seconds, of the camera's formulas and of the scene.
-    /// What both eyes see, arranged so, with the pair of the request; of one eye without a format.
+    /// How both eyes of the request's stereo pair are shown in one picture; without a format, it is
+    /// the picture of one eye.
     std::optional<std::optional<camera::StereoFormat>> stereo{};
     bool choose_exposure = false;  ///< By this picture, for this and later ones.
     /// What a hand pulls, from `values` as they are without it: until another drag comes, the

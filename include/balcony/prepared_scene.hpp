@@ -46,7 +46,7 @@ public:
         const std::vector<lang::Override>& values, const std::stop_token& stop = {},
         const std::optional<std::vector<std::string>>& open = {});
 
-    /// What both eyes of the request's stereo pair see of a picture.
+    /// A picture as both eyes of the request's stereo pair see it, in one picture of a format.
     [[nodiscard]] Result<camera::Picture> in_stereo(const camera::Picture& picture,
                                                     camera::StereoFormat format) const;
 
@@ -63,8 +63,9 @@ public:
                                 const Observer& observer = {}, const std::stop_token& stop = {});
 
     /// Renders the frames of a picture, and makes their film, as app::animate() does; the scene is
-    /// moved along. Of its request, the same is not read. Frames that are there are rendered again.
-    /// A stop makes the film of the frames that are finished.
+    /// moved along. Of the request of its frames, what render() does not read is not read here
+    /// either. Frames that are there are rendered again. After a stop, the film is made of the
+    /// frames that are finished.
     [[nodiscard]] AnimationReport animate(const camera::Picture& picture,
                                           const AnimationRequest& animation,
                                           const Observer& observer = {},
