@@ -97,6 +97,14 @@ TEST(ParameterEdits, KeysThatAreNotWrittenOutStay) {
         EXPECT_EQ(x_with(x, 7.0, {.time = 1.0}), "'x' is not one number") << x;
         EXPECT_TRUE(text_of(x_is(x)).keys("a").empty()) << x;
     }
+    // Nor calls with mistakes.
+    for (const char* x : {"keys()", "keys([])", "keys(ease = smooth)", "keys(1, 2)",
+                          "keys(((0, 1)))", "keys((0, 3), (2, 5), at = )"}) {
+        const EditedText text = text_of(x_is(x));
+        EXPECT_TRUE(text.keys("a").empty()) << x;
+        EXPECT_FALSE(text.with_values("a", {{"x", 7.0, 0.01}}, {.time = 1.0})) << x;
+        EXPECT_FALSE(text.without_keys("a", {})) << x;
+    }
     EXPECT_EQ(with(camera_with("w = 1, x = 2"), {{"y", 1.0}}, {}),
               "the camera 'a' has no parameter 'y'");
 }

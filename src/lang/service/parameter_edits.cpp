@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -38,9 +39,20 @@ public:
           numbers_(text, written_, found_.place, scope_),
           values_(scope_.values()) {}
 
-    [[nodiscard]] const LocatedDefinition& written() const { return written_; }
-    [[nodiscard]] const LocatedDefinition& place() const { return found_.place; }
     [[nodiscard]] std::size_t size() const { return values_.size(); }
+    /// The number of a parameter, or the error that there is none.
+    [[nodiscard]] Result<std::size_t> find(std::string_view wanted) const {
+        for (std::size_t i = 0; i < size(); ++i) {
+            if (name(i) == wanted) {
+                return i;
+            }
+        }
+        return error(no_parameter(written_, wanted), {},
+                     instead_of_parameter(*found_.place.camera, wanted));
+    }
+    [[nodiscard]] std::vector<TextEdit> edits(const std::vector<Override>& values) const {
+        return edits_of_values(*text_.module, written_, values);
+    }
     [[nodiscard]] std::string_view name(std::size_t i) const {
         return found_.place.camera->parameters[i].name.text;
     }
@@ -77,12 +89,13 @@ public:
         }
         std::vector<WrittenKey> made;
         for (const Argument& argument : tree[id].arguments) {
-            const bool is_of_time = !argument.name || argument.name->text != "at";
-            if (!is_of_time || (!argument.name && !add_key(argument.value, made))) {
+            const bool is_known = argument.name ? argument.name->text != "at"  // Not of the time.
+                                                : add_key(argument.value, made);
+            if (!is_known) {
                 return std::nullopt;
             }
         }
-        return made;
+        return made.empty() ? std::nullopt : std::optional(std::move(made));
     }
 
 private:
@@ -115,9 +128,12 @@ private:
     const std::vector<Value> values_;
 };
 
-std::optional<ResolvedLayer> resolved(const KnownText& text,
-                                      const std::optional<LocatedDefinition>& written) {
-    return written ? resolve_base({*written, {}}, *text.session) : std::nullopt;
+// Null if the text has no such camera.
+std::unique_ptr<WrittenParameters> parameters_of(const KnownText& text, std::string_view camera) {
+    const auto written = text.definition_named(camera);
+    const auto found =
+        written ? resolve_base({*written, {}}, *text.session) : std::optional<ResolvedLayer>();
+    return found ? std::make_unique<WrittenParameters>(text, *written, *found) : nullptr;
 }
 
 using Keys = std::vector<WrittenKey>;
@@ -193,42 +209,33 @@ Result<std::string> moved_text(WrittenParameters& all, std::size_t i, const Para
 Result<std::vector<TextEdit>> with_values(const KnownText& text, std::string_view camera,
                                           const std::vector<ParameterMove>& moves,
                                           const KeyTime& at) {
-    const auto written = text.definition_named(camera);
-    const auto found = resolved(text, written);
-    if (!found) {
+    const auto all = parameters_of(text, camera);
+    if (!all) {
         return no_camera(camera);
     }
-    WrittenParameters all(text, *written, *found);
     std::vector<Override> values;
     for (const ParameterMove& move : moves) {
-        std::size_t i = 0;
-        while (i < all.size() && all.name(i) != move.parameter) {
-            ++i;
+        const Result<std::size_t> parameter = all->find(move.parameter);
+        if (!parameter) {
+            return parameter.diagnostics;
         }
-        if (i == all.size()) {
-            return error(no_parameter(*written, move.parameter), {},
-                         instead_of_parameter(*all.place().camera, move.parameter));
-        }
-        Result<std::string> made = moved_text(all, i, move, at);
+        Result<std::string> made = moved_text(*all, *parameter, move, at);
         if (!made) {
             return std::move(made.diagnostics);
         }
         values.push_back({move.parameter, std::move(*made)});
     }
-    return edits_of_values(*text.module, *written, values);
+    return all->edits(values);
 }
 
 std::vector<ParameterKeys> keys(const KnownText& text, std::string_view camera) {
     std::vector<ParameterKeys> made;
-    const auto written = text.definition_named(camera);
-    if (const auto found = resolved(text, written)) {
-        WrittenParameters all(text, *written, *found);
-        for (std::size_t i = 0; i < all.size(); ++i) {
-            if (const auto keys = all.keys(i)) {
-                made.push_back({std::string(all.name(i))});
-                for (const WrittenKey& one : *keys) {
-                    made.back().times.push_back(one.time);
-                }
+    const auto all = parameters_of(text, camera);
+    for (std::size_t i = 0; all && i < all->size(); ++i) {
+        if (const auto keys = all->keys(i)) {
+            made.push_back({std::string(all->name(i))});
+            for (const WrittenKey& one : *keys) {
+                made.back().times.push_back(one.time);
             }
         }
     }
@@ -237,25 +244,23 @@ std::vector<ParameterKeys> keys(const KnownText& text, std::string_view camera) 
 
 Result<std::vector<TextEdit>> without_keys(const KnownText& text, std::string_view camera,
                                            const KeyTime& at) {
-    const auto written = text.definition_named(camera);
-    const auto found = resolved(text, written);
-    if (!found) {
+    const auto all = parameters_of(text, camera);
+    if (!all) {
         return no_camera(camera);
     }
-    WrittenParameters all(text, *written, *found);
     std::vector<Override> values;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        const auto keys = all.keys(i);
+    for (std::size_t i = 0; i < all->size(); ++i) {
+        const auto keys = all->keys(i);
         const auto there = keys ? key_at(*keys, at) : Keys::const_iterator();
         if (keys && there != keys->end()) {
-            values.push_back({std::string(all.name(i)), without_key(all, i, *keys, there)});
+            values.push_back({std::string(all->name(i)), without_key(*all, i, *keys, there)});
         }
     }
     if (values.empty()) {
         return error(fmt::format("no parameter has a key at {} s", time_text(at)), {},
                      "go to the frame of a key");
     }
-    return edits_of_values(*text.module, *written, values);
+    return all->edits(values);
 }
 
 }  // namespace balcony::lang
