@@ -134,8 +134,9 @@ struct AnimationReport {
     std::filesystem::path film{};  ///< That was made; empty if none was.
 };
 
-/// What is known to be wrong with the output before rendering: a missing folder or program. Makes
-/// the folder for the frames of a film.
+/// What is known to be wrong with the output before rendering: a missing folder or program.
+[[nodiscard]] Diagnostics check_output(const AnimationRequest& request);
+/// The same; makes the folder for the frames of a film.
 [[nodiscard]] Diagnostics prepare_output(const AnimationRequest& request);
 
 /// Renders what is not finished yet, and makes the film. The same request continues after a stop.

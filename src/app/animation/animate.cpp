@@ -205,12 +205,13 @@ void make_film(const AnimationRequest& animation, const FrameNumbers& frames,
 
 }  // namespace
 
+Diagnostics check_output(const AnimationRequest& request) {
+    return request.film ? check_film(*request.film) : check_output(request.pattern.file(1));
+}
+
 Diagnostics prepare_output(const AnimationRequest& request) {
-    if (!request.film) {
-        return check_output(request.pattern.file(1));
-    }
-    Diagnostics found = check_film(*request.film);
-    return has_errors(found) ? found : make_film_folder(*request.film);
+    Diagnostics found = check_output(request);
+    return has_errors(found) || !request.film ? found : make_film_folder(*request.film);
 }
 
 AnimationReport animate(const AnimationRequest& request, const Observer& observer,

@@ -49,19 +49,16 @@ app::AnimationRequest film_of(app::Request picture, const json& asked) {
 }
 
 std::string ending_of(const json& asked) {
-    std::vector<std::string> endings{".png", ".exr"};
+    std::vector<std::string> names{"png", "exr"};
     for (const std::string& film : app::film_extensions()) {
-        endings.push_back(film);
+        names.push_back(film.substr(1));
     }
-    const std::string ending = "." + asked.value("output", "png");
-    if (std::find(endings.begin(), endings.end(), ending) == endings.end()) {
-        for (std::string& one : endings) {
-            one.erase(0, 1);
-        }
+    const std::string name = asked.value("output", names.front());
+    if (std::find(names.begin(), names.end(), name) == names.end()) {
         throw lsp::Refusal{lsp::invalid_params,
-                           fmt::format("an output is one of {}", fmt::join(endings, ", "))};
+                           fmt::format("an output is one of {}", fmt::join(names, ", "))};
     }
-    return ending;
+    return "." + name;
 }
 
 double part_of(const render::Progress& progress) {
@@ -77,12 +74,6 @@ Rendered make(live::Inspector& inspector, const app::Request& picture,
     return {report.output, report.interrupted,
             report.samples ? report.samples->most : report.summary.passes, report.summary.seconds,
             report.diagnostics};
-}
-
-// That of the frames, which it is prepared with.
-void remove_empty_folder(const app::AnimationRequest& film) {
-    std::error_code ignored;
-    fs::remove(film.pattern.folder(), ignored);
 }
 
 // A frame is as far as its tiles are.
@@ -105,7 +96,8 @@ Rendered make(live::Inspector& inspector, const app::AnimationRequest& film,
              std::chrono::duration<double>(Clock::now() - begin).count());
     };
     const app::AnimationReport report = inspector.animate(film, observer, stop);
-    remove_empty_folder(film);
+    std::error_code ignored;
+    fs::remove(film.pattern.folder(), ignored);  // If it has no frames.
     return {report.film, report.interrupted, film.picture.samples.value_or(app::default_samples),
             report.seconds, report.diagnostics};
 }
@@ -114,7 +106,7 @@ Rendered make(live::Inspector& inspector, const app::AnimationRequest& film,
 
 RenderOrder::RenderOrder(const Options& options, const json& asked)
     : ending_(ending_of(asked)), order_(picture_of(options, asked)) {
-    if (app::is_film("film" + ending_)) {
+    if (app::is_film("film" + ending_)) {  // Which wants the name of a file.
         order_ = film_of(std::get<app::Request>(std::move(order_)), asked);
     }
 }
@@ -134,10 +126,9 @@ void RenderOrder::write_to(const fs::path& file) {
     film.picture.output = file;
     film.pattern = app::pattern_of_film(file);
     film.film = {file, film.picture.shutter.rate};
-    if (const Diagnostics found = app::prepare_output(film); has_errors(found)) {
+    if (const Diagnostics found = app::check_output(film); has_errors(found)) {
         throw lsp::Refusal{lsp::request_failed, to_text(found)};
     }
-    remove_empty_folder(film);  // It may never begin.
 }
 
 Rendered RenderOrder::carry_out(live::Inspector& inspector,
