@@ -10,6 +10,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "balcony/picture_options.hpp"
+
 namespace balcony::studio {
 
 namespace {
@@ -56,14 +58,16 @@ std::string command_line(const Options& options, const live::Shown& shown,
         leave_out("--time", words);
         words.insert(words.end(), {"--time", fmt::format("{}", shown.time)});
     }
-    leave_out("--stereo", words);
+    // Of one eye, there is nothing to say about the other.
+    const auto of_stereo = app::stereo_options();
+    for (const app::OptionInfo& row : of_stereo.rows) {
+        if (!shown.stereo || row.name == "--stereo") {
+            leave_out(row.name, words);
+        }
+    }
     if (shown.stereo) {
         words.insert(words.end(),
                      {"--stereo", std::string(camera::stereo_formats()[*shown.stereo].name)});
-    } else {
-        for (const char* of_pair : {"--separation", "--convergence", "--baseline", "--merge"}) {
-            leave_out(of_pair, words);
-        }
     }
     const bool is_placed = options.request.placement.fit.value_or(false);
     if (is_placed && std::find(words.begin(), words.end(), "--fit") == words.end()) {
