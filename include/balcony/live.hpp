@@ -83,6 +83,7 @@ struct CameraState {
     std::string name{};              ///< Of the camera; empty after errors, as the following.
     std::optional<double> aspect{};  ///< Width to height, if it is made for one.
     std::optional<camera::StereoFormat> stereo{};  ///< As Change::stereo.
+    double time = 0.0;                             ///< As Change::time.
     std::vector<lang::OpenParameter> open{};    ///< They move without the camera being made anew.
     std::vector<lang::OpenParameter> closed{};  ///< Another value makes the camera anew.
     /// Those that change with time, with their values at the time that is shown. They are open

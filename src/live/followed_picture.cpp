@@ -19,8 +19,9 @@ const lang::Override* find(const std::vector<lang::Override>& values, const std:
 
 }  // namespace
 
-bool see(const app::PreparedScene& scene, const std::optional<camera::StereoFormat>& stereo,
-         camera::Picture& picture, Diagnostics& found) {
+bool apply_stereo(const app::PreparedScene& scene,
+                  const std::optional<camera::StereoFormat>& stereo, camera::Picture& picture,
+                  Diagnostics& found) {
     if (!stereo) {
         return true;
     }
@@ -32,7 +33,7 @@ bool see(const app::PreparedScene& scene, const std::optional<camera::StereoForm
     return seen.value.has_value();
 }
 
-app::Request in_stereo(app::Request request, const Shown& shown) {
+app::Request with_stereo_of(app::Request request, const Shown& shown) {
     request.stereo.formats.clear();
     if (shown.stereo) {
         request.stereo.formats = {*shown.stereo};
@@ -123,7 +124,7 @@ bool FollowedPicture::make(app::PreparedScene& scene, const Shown& wanted,
     Result<lang::OpenPicture> made =
         scene.picture(source_of(wanted, folder_), wanted.camera, closed, stop);
     found = std::move(made.diagnostics);
-    if (made && !see(scene, wanted.stereo, made->picture, found)) {
+    if (made && !apply_stereo(scene, wanted.stereo, made->picture, found)) {
         return false;
     }
     if (made) {

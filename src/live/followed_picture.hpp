@@ -53,12 +53,12 @@ private:
 
 /// Makes a picture what both eyes see of it, if a format is wanted. False if that cannot be, as the
 /// diagnostics say.
-[[nodiscard]] bool see(const app::PreparedScene& scene,
-                       const std::optional<camera::StereoFormat>& stereo, camera::Picture& picture,
-                       Diagnostics& found);
+[[nodiscard]] bool apply_stereo(const app::PreparedScene& scene,
+                                const std::optional<camera::StereoFormat>& stereo,
+                                camera::Picture& picture, Diagnostics& found);
 
 /// A request with the stereo format that is shown.
-[[nodiscard]] app::Request in_stereo(app::Request request, const Shown& shown);
+[[nodiscard]] app::Request with_stereo_of(app::Request request, const Shown& shown);
 
 /// What a text and its folder are to a workspace.
 [[nodiscard]] lang::CameraSource source_of(const Shown& shown, const std::filesystem::path& folder);

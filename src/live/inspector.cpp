@@ -185,7 +185,7 @@ Result<lang::OpenPicture> Inspector::State::picture_in(
 Result<camera::Picture> Inspector::State::seen_picture(const std::stop_token& stop) {
     Result<lang::OpenPicture> made = closed_picture(scene, stop);
     Diagnostics found = std::move(made.diagnostics);
-    return made && see(scene, shown->stereo, made->picture, found)
+    return made && apply_stereo(scene, shown->stereo, made->picture, found)
                ? Result<camera::Picture>(std::move(made->picture), std::move(found))
                : Result<camera::Picture>(std::move(found));
 }
@@ -298,8 +298,8 @@ app::Report Inspector::render(const app::Request& request, const app::Observer& 
         return failed<app::Report>({nothing_is_shown()});
     }
     Result<lang::OpenPicture> made = state_->closed_picture(state_->scene, stop);
-    return made ? state_->scene.render(made->picture, in_stereo(request, *state_->shown), observer,
-                                       stop)
+    return made ? state_->scene.render(made->picture, with_stereo_of(request, *state_->shown),
+                                       observer, stop)
                 : failed<app::Report>(std::move(made.diagnostics));
 }
 
@@ -318,7 +318,7 @@ app::AnimationReport Inspector::animate(const app::AnimationRequest& animation,
         return failed<app::AnimationReport>(std::move(found));
     }
     app::AnimationRequest own = animation;
-    own.picture = in_stereo(own.picture, *state_->shown);
+    own.picture = with_stereo_of(own.picture, *state_->shown);
     return scene.animate(made->picture, own, observer, stop);
 }
 

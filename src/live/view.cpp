@@ -332,6 +332,7 @@ void View::State::tell_camera(const Wanted& next, Diagnostics found) {
         state.name = opened.picture.parts().name;
         state.aspect = opened.picture.parts().aspect;
         state.stereo = next.stereo;
+        state.time = next.time;
         state.open = opened.open;
         state.closed = opened.numbers;
         for (const lang::MovingParameter& one : opened.moving) {
@@ -390,7 +391,7 @@ void View::State::tell(const Wanted& next, const render::Film& film, Quality qua
     }
     const auto pixels =
         render::display_pixels(film, {.exposure = *exposed,
-                                      .view = in_stereo(request, next).view_transform(),
+                                      .view = with_stereo_of(request, next).view_transform(),
                                       .dither = request.dither});
     observer.frame({next.change, quality, film.width, film.height, pixels, samples,
                     seconds_since(next.since)});

@@ -3,49 +3,39 @@
 
 // The time that the picture shows, and the keys between which the camera's numbers change.
 
-import type { Connection } from "./connection";
-import type { About, ParameterKeys, TextEdit } from "./protocol";
-
-/** What it needs of the session. */
-export interface FilmText {
-    readonly about: About | null;
-    readonly link: string;
-    isAtRest: boolean;
-    readonly connection: Connection;
-    readonly chosen: string;
-    can(request: string): boolean;
-    editsOf(method: string, asked: () => object): Promise<TextEdit[]>;
-    edit(edits: TextEdit[]): void;
-    changed(): void;
-}
+import type { ParameterKeys } from "./protocol";
+import type { Page, Session } from "./session";
 
 export class FilmTime {
-    /** In seconds. */
-    time = 0;
+    /** In seconds; null for that of the server. */
+    chosen: number | null = null;
     /** Whether a number that a slider moves gets a key at this time. */
     isKeying = false;
     /** Those of the camera that is chosen, in the text that the server has. */
     keys: ParameterKeys[] = [];
 
-    constructor(private readonly text: FilmText) {}
+    constructor(
+        private readonly session: Session,
+        private readonly page: Page,
+    ) {}
 
     /** Frames a second. */
     get rate(): number {
-        return this.text.about?.frameRate ?? 24;
+        return this.session.about?.frameRate ?? 24;
     }
 
     private get isReadOnly(): boolean {
-        return this.text.about?.readOnly ?? true;
+        return this.session.about?.readOnly ?? true;
     }
 
     /** Whether keys can be written. */
     get hasKeys(): boolean {
-        return !this.isReadOnly && this.text.can("text/unkey");
+        return !this.isReadOnly && this.session.can("text/unkey");
     }
 
     /** The extensions of films that can be made here: ".mp4". */
     get formats(): string[] {
-        return this.isReadOnly || !this.text.can("render/start") ? [] : (this.text.about?.films ?? []);
+        return this.isReadOnly || !this.session.can("render/start") ? [] : (this.session.about?.films ?? []);
     }
 
     private get frame(): number {
@@ -66,16 +56,16 @@ export class FilmTime {
 
     /** What the server has to know to write values. */
     get asked(): object {
-        return { time: this.time, frame: this.frame, keys: this.isKeying };
+        return { time: this.session.camera?.time ?? 0, frame: this.frame, keys: this.isKeying };
     }
 
     /** Shows a time in seconds. The number of the change; null without a connection. */
     async show(time: number): Promise<number | null> {
-        this.time = time;
-        if (this.text.link !== "open") return null;
-        this.text.isAtRest = false;
+        this.chosen = time;
+        if (this.session.link !== "open") return null;
+        this.session.isAtRest = false;
         try {
-            return (await this.text.connection.request<{ change: number }>("view/change", { time })).change;
+            return (await this.session.connection.request<{ change: number }>("view/change", { time })).change;
         } catch {
             return null; // Of a lost connection.
         }
@@ -83,23 +73,23 @@ export class FilmTime {
 
     toggleKeying(): void {
         this.isKeying = !this.isKeying;
-        this.text.changed();
+        this.page.changed();
     }
 
     /** After a change of the text. */
     async learn(): Promise<void> {
-        if (!this.text.can("keys")) return;
+        if (!this.session.can("keys")) return;
         try {
-            const asked = { camera: this.text.chosen };
-            this.keys = (await this.text.connection.request<{ keys: ParameterKeys[] }>("keys", asked)).keys;
+            const asked = { camera: this.session.chosen };
+            this.keys = (await this.session.connection.request<{ keys: ParameterKeys[] }>("keys", asked)).keys;
         } catch {
             this.keys = []; // The text has no such camera, which is said by its mistakes.
         }
-        this.text.changed();
+        this.page.changed();
     }
 
     /** Takes the keys at this time away, as one step of undo. */
     async remove(): Promise<void> {
-        this.text.edit(await this.text.editsOf("text/unkey", () => this.asked));
+        this.page.edit(await this.session.editsOf("text/unkey", () => this.asked));
     }
 }

@@ -135,6 +135,8 @@ export interface CameraState {
     /** They change with time, and have their value at the time that is shown. */
     moving: Parameter[];
     aspect?: number;
+    /** In seconds, that is shown. */
+    time: number;
     /** A name of the stereo formats; without one, it is the picture of one eye. */
     stereo?: string;
 }

@@ -81,7 +81,7 @@ export class Session implements Listener {
     /** Of a picture in full quality. */
     render: RenderProgress | null = null;
     readonly latency = new Latency();
-    readonly film = new FilmTime(this);
+    readonly film: FilmTime;
     readonly connection: Connection;
     private readonly text = new SharedText((version, text) => this.send(version, text));
     private savedText: string | null = null;
@@ -95,6 +95,7 @@ export class Session implements Listener {
         private readonly page: Page,
     ) {
         this.connection = new Connection(address, this);
+        this.film = new FilmTime(this, page);
     }
 
     get doing(): Doing {
@@ -192,6 +193,7 @@ export class Session implements Listener {
         else this.begin(studio);
         // The picture may have had its room before there was a connection.
         if (this.size) this.changeView({ size: this.size, camera: this.chosen });
+        if (this.film.chosen !== null) void this.film.show(this.film.chosen);
         this.page.changed();
         await this.learn();
         this.findValuesSoon();
@@ -444,14 +446,6 @@ export class Session implements Listener {
             // Otherwise something was typed meanwhile, and the edits are not of this text.
             if (this.text.isSettled && made.version === this.text.version) return made.edits;
         }
-    }
-
-    edit(edits: TextEdit[]): void {
-        this.page.edit(edits);
-    }
-
-    changed(): void {
-        this.page.changed();
     }
 
     /** Writes values into the text, as one step of undo. */

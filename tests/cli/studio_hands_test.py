@@ -67,6 +67,7 @@ class Hands(StudioTest):
         told = page.wait_for("view/camera", change=page.result("view/change", time=1)["change"])
         height = next(one for one in told["moving"] if one["name"] == "height")
         self.assertEqual((height["value"], height["written"]), (6, "keys((0, 5), (2, 7))"))
+        self.assertEqual(told["time"], 1)
         [edit] = page.result("text/unkey", time=2.01)["edits"]
         self.assertEqual(edit["newText"], "5")
         self.assertIn("no parameter has a key at 1 s",

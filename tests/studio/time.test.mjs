@@ -120,6 +120,17 @@ test("a slider writes keys, which stand on the line, and are removed", async () 
     await page.until((studio) => /\(1, /.test(studio.text().toString()));
 });
 
+test("a page that comes later writes keys at the time that is shown", async () => {
+    const page = await studio.open();
+    await page.replace((await page.text()).replace("from = -2", "from = keys((0, -2), (2, 0))"));
+    await page.tab.evaluate(() => document.querySelector("balcony-studio").session.film.show(1));
+    await page.untilFollowed();
+    const other = await studio.open();
+    await other.until((studio) => studio.session.parameters[0]?.value === -1);
+    await nudge(other, "from", "ArrowRight");
+    assert.match(await other.text(), /keys\(\(0, -2\), \(1, -0\.9\d*\), \(2, 0\)\)/);
+});
+
 const hasFfmpeg = (() => {
     try {
         execFileSync("ffmpeg", ["-version"], { stdio: "ignore" });

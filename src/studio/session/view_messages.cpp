@@ -177,6 +177,7 @@ json told_of(const live::Dragged& dragged) {
 json told_of(const live::CameraState& state) {
     json made{{"change", state.change},
               {"name", state.name},
+              {"time", state.time},
               {"diagnostics", told_of(state.diagnostics)},
               {"open", told_of_parameters(state.open)},
               {"closed", told_of_parameters(state.closed)},
