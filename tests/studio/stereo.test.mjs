@@ -26,7 +26,6 @@ test("both eyes are seen side by side, and one again", async () => {
         await item.click();
         await page.untilFollowed();
         await page.tab.locator("summary").click();
-        await page.until(() => true);
         assert.equal(await item.getAttribute("aria-checked"), "true");
         await page.tab.keyboard.press("Escape");
     };
