@@ -61,6 +61,8 @@ public:
     /// lamps, the camera and the time are not read.
     [[nodiscard]] Report render(const camera::Picture& picture, const Request& request,
                                 const Observer& observer = {}, const std::stop_token& stop = {});
+    /// As Session::film(), of the last render().
+    [[nodiscard]] std::shared_ptr<const render::Film> film() const;
 
     /// Renders the frames of a picture, and makes their film, as app::animate() does; the scene is
     /// moved along. Of the request of its frames, what render() does not read is not read here

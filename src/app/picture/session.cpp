@@ -317,14 +317,17 @@ Report Session::render(const Request& request, const Observer& observer,
 }
 
 Report render_in(const Loaded& scene, const camera::Picture& picture, const Request& request,
-                 const Observer& observer, const std::stop_token& stop) {
+                 const Observer& observer, const std::stop_token& stop,
+                 std::shared_ptr<const render::Film>& film) {
     Report report;
+    film.reset();
     within_memory(report.diagnostics, [&] {
         SessionState state;
         state.loaded = shared(scene);
         if (!add(report.diagnostics, check_request(request)) &&
             load_settings(request, state.loaded, stop, report.diagnostics)) {
             state.render_picture(picture, request, observer, stop, report);
+            film = state.film;
         }
     });
     report.interrupted |= kind_of_errors(report.diagnostics) == Kind::interrupted;

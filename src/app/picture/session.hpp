@@ -28,9 +28,11 @@ struct SessionState {
 
 struct Session::State : SessionState {};
 
-/// Renders a picture of a scene that is loaded, with the light and the settings of a request.
+/// Renders a picture of a scene that is loaded, with the light and the settings of a request. The
+/// film is as Session::film().
 [[nodiscard]] Report render_in(const Loaded& scene, const camera::Picture& picture,
                                const Request& request, const Observer& observer,
-                               const std::stop_token& stop);
+                               const std::stop_token& stop,
+                               std::shared_ptr<const render::Film>& film);
 
 }  // namespace balcony::app

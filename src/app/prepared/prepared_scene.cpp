@@ -19,6 +19,7 @@ namespace balcony::app {
 struct PreparedScene::State {
     Request request;
     Loaded loaded;
+    std::shared_ptr<const render::Film> film{};  // Of the last picture.
 
     [[nodiscard]] Request request_for(const camera::Picture& picture, const Request& asked) const;
 };
@@ -117,9 +118,11 @@ Request PreparedScene::State::request_for(const camera::Picture& picture,
 
 Report PreparedScene::render(const camera::Picture& picture, const Request& request,
                              const Observer& observer, const std::stop_token& stop) {
-    return render_in(state_->loaded, picture, state_->request_for(picture, request), observer,
-                     stop);
+    return render_in(state_->loaded, picture, state_->request_for(picture, request), observer, stop,
+                     state_->film);
 }
+
+std::shared_ptr<const render::Film> PreparedScene::film() const { return state_->film; }
 
 AnimationReport PreparedScene::animate(const camera::Picture& picture,
                                        const AnimationRequest& animation, const Observer& observer,
