@@ -212,6 +212,15 @@ struct Solution {
     bool converged = false;
 };
 
+/// Derivatives by the inputs of a solver, point by point. Where a point has no ray, or derivatives
+/// that are not finite, all of its numbers are 0.
+struct Derivatives {
+    std::vector<std::uint8_t> valid;  ///< By point.
+    /// values[(i * m + n) * k + j] is that of number n of the m numbers of point i, by input j of
+    /// k.
+    std::vector<double> values;
+};
+
 class InputRays;
 
 /// A layer of a picture that is solved again and again for the same inputs, as while a hand pulls
@@ -231,6 +240,17 @@ public:
     /// that it was made for, in their order; one that is known has a range of one number.
     [[nodiscard]] Result<Solution> solve(const Problem& problem, const Options& options = {},
                                          const std::stop_token& stop = {}) const;
+
+    /// How the rays at points of the picture, in pixels, change with the inputs, which have these
+    /// values, in their order: six numbers for each, those of the origin and the direction.
+    [[nodiscard]] Derivatives ray_derivatives(std::span<const V2d> points,
+                                              std::span<const double> values) const;
+    /// How the positions change at which the picture shows points of space, by the implicit
+    /// function theorem: two numbers for each, x and y in pixels. seen[i] is where it shows
+    /// points[i], in its axes.
+    [[nodiscard]] Derivatives position_derivatives(std::span<const V3d> points,
+                                                   std::span<const V2d> seen,
+                                                   std::span<const double> values) const;
 
 private:
     Solver(std::shared_ptr<const InputRays> rays, Axes axes, double width, double height,
