@@ -1,0 +1,187 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "balcony/editable_camera.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "balcony/inputs.hpp"
+
+namespace balcony::app {
+
+using lang::Override;
+using Names = std::vector<std::string>;
+
+struct EditableCamera::State {
+    lang::CameraSource source;
+    std::string name;
+    std::vector<Override> values;
+    lang::Workspace workspace{};
+    std::string comment{};
+    std::vector<Parameter> parameters{};
+    bool has_values = false;  // Of the parameters.
+    std::optional<camera::Picture> picture{};
+
+    [[nodiscard]] Diagnostics make(const std::stop_token& stop);
+    [[nodiscard]] Diagnostics describe();
+    void find_values();
+};
+
+namespace {
+
+// The last of some values for a parameter; null if there is none.
+const Override* find(const std::vector<Override>& values, const std::string& name) {
+    const auto found = std::find_if(values.rbegin(), values.rend(),
+                                    [&](const Override& one) { return one.name == name; });
+    return found == values.rend() ? nullptr : &*found;
+}
+
+}  // namespace
+
+// What the declaration says, whatever the values are.
+Diagnostics EditableCamera::State::describe() {
+    const auto all = workspace.describe(source);
+    if (!all) {
+        return all.diagnostics;
+    }
+    for (const lang::Description& one : *all) {
+        if (one.name == name) {
+            comment = one.comment;
+            for (const auto& parameter : one.parameters) {
+                parameters.push_back({parameter.name,
+                                      parameter.default_text,
+                                      {},
+                                      false,
+                                      parameter.limits,
+                                      parameter.limits_text});
+            }
+        }
+    }
+    return {};
+}
+
+// Numbers are known of parameters that are open, or cannot be.
+void EditableCamera::State::find_values() {
+    const auto opened = workspace.make_open_picture(source, name, values);
+    const auto number = [&](const std::string& wanted) -> const lang::OpenParameter* {
+        for (const auto* list : {&opened->open, &opened->numbers}) {
+            for (const lang::OpenParameter& one : *list) {
+                if (one.name == wanted) {
+                    return &one;
+                }
+            }
+        }
+        return nullptr;
+    };
+    for (Parameter& parameter : parameters) {
+        if (const Override* const set = find(values, parameter.name)) {
+            parameter.written = set->expression;
+        }
+        const lang::OpenParameter* const found = opened ? number(parameter.name) : nullptr;
+        parameter.value = found != nullptr ? std::optional(found->value) : std::nullopt;
+        parameter.is_angle = found != nullptr && found->is_angle;
+    }
+    has_values = true;
+}
+
+Diagnostics EditableCamera::State::make(const std::stop_token& stop) {
+    workspace.stop_with(stop);
+    Result<camera::Picture> made = workspace.make_picture(source, name, values);
+    workspace.stop_with({});
+    if (!made) {
+        return std::move(made.diagnostics);
+    }
+    if (!picture) {
+        name = made->name();
+        if (Diagnostics found = describe(); has_errors(found)) {
+            return found;
+        }
+    }
+    picture = *made;
+    has_values = false;
+    return std::move(made.diagnostics);
+}
+
+EditableCamera::EditableCamera(std::unique_ptr<State> state) : state_(std::move(state)) {}
+EditableCamera::EditableCamera(EditableCamera&&) noexcept = default;
+EditableCamera& EditableCamera::operator=(EditableCamera&&) noexcept = default;
+EditableCamera::~EditableCamera() = default;
+
+Result<EditableCamera> EditableCamera::make(const std::string& camera,
+                                            const std::vector<Override>& values,
+                                            const std::stop_token& stop) {
+    const Result<CameraArgument> wanted = read_camera(camera, {});
+    return wanted ? make(wanted->file, wanted->name, values, stop)
+                  : Result<EditableCamera>(wanted.diagnostics);
+}
+
+Result<EditableCamera> EditableCamera::make(const lang::CameraSource& source,
+                                            const std::string& name,
+                                            const std::vector<Override>& values,
+                                            const std::stop_token& stop) {
+    auto state = std::make_unique<State>(State{source, name, values});
+    Diagnostics found = state->make(stop);
+    if (has_errors(found)) {
+        return found;
+    }
+    return {EditableCamera(std::move(state)), std::move(found)};
+}
+
+EditableCamera EditableCamera::copy() const {
+    auto state = std::make_unique<State>(State{state_->source, state_->name, state_->values});
+    state->comment = state_->comment;
+    state->parameters = state_->parameters;
+    state->picture = state_->picture;
+    return EditableCamera(std::move(state));
+}
+
+const std::string& EditableCamera::name() const { return state_->name; }
+const std::string& EditableCamera::comment() const { return state_->comment; }
+const std::vector<EditableCamera::Parameter>& EditableCamera::parameters() {
+    if (!state_->has_values) {
+        state_->find_values();
+    }
+    return state_->parameters;
+}
+const camera::Picture& EditableCamera::picture() const { return *state_->picture; }
+
+Diagnostics EditableCamera::set(const std::vector<Override>& values, const std::stop_token& stop) {
+    std::vector<Override> before = state_->values;
+    for (const Override& value : values) {
+        std::erase_if(state_->values, [&](const Override& one) { return one.name == value.name; });
+        state_->values.push_back(value);
+    }
+    Diagnostics found = state_->make(stop);
+    if (has_errors(found)) {
+        state_->values = std::move(before);
+    }
+    return found;
+}
+
+Result<camera::Picture> EditableCamera::picture(PreparedScene& scene,
+                                                const std::stop_token& stop) const {
+    Result<lang::OpenPicture> made =
+        scene.picture(state_->source, state_->name, state_->values, stop, Names());
+    return made ? Result<camera::Picture>(std::move(made->picture), std::move(made.diagnostics))
+                : Result<camera::Picture>(std::move(made.diagnostics));
+}
+
+Result<lang::OpenPicture> EditableCamera::open_picture(const std::optional<Names>& open,
+                                                       PreparedScene* scene,
+                                                       const std::stop_token& stop) {
+    if (scene != nullptr) {
+        return scene->picture(state_->source, state_->name, state_->values, stop, open);
+    }
+    state_->workspace.stop_with(stop);
+    auto made =
+        state_->workspace.make_open_picture(state_->source, state_->name, state_->values, open);
+    state_->workspace.stop_with({});
+    return made;
+}
+
+Result<std::string> EditableCamera::text() {
+    return state_->workspace.with_values(state_->source, state_->name, state_->values);
+}
+
+}  // namespace balcony::app
