@@ -31,6 +31,13 @@ balcony_find(Eigen3 3.4 6 libeigen3-dev)    # Eigen3::Eigen, headers of the laye
 find_package(CLI11 2.1 REQUIRED)            # CLI11::CLI11
 find_package(Boost 1.74 REQUIRED CONFIG)    # Boost::headers, of the layer studio
 find_package(TurboJPEG REQUIRED)            # TurboJPEG::TurboJPEG, of the layer studio
+# A module with a sanitizer needs an interpreter with it.
+if(BALCONY_PYTHON AND NOT BALCONY_SANITIZE AND NOT CMAKE_CROSSCOMPILING)
+    set(PYBIND11_FINDPYTHON ON)
+    find_package(pybind11 2.10 REQUIRED CONFIG)  # pybind11_add_module, of the layer python
+else()
+    set(BALCONY_PYTHON OFF)
+endif()
 if(BUILD_TESTING)
     find_package(GTest 1.12 REQUIRED)       # GTest::gtest_main
     find_package(Python3 3.9 REQUIRED COMPONENTS Interpreter)

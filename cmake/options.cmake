@@ -3,6 +3,7 @@
 # functions of one file are inlined although the code is position independent.
 option(BALCONY_WERROR "Treat warnings as errors" OFF)
 option(BALCONY_BENCH "Build the benchmarks" ON)
+option(BALCONY_PYTHON "Build the module of Python" ON)
 option(BALCONY_PCH "Precompile headers from outside" ON)
 option(BALCONY_UNITY "Compile the files of a folder in groups" ON)
 option(BALCONY_CCACHE "Compile by way of ccache where it is installed" ON)

@@ -1,0 +1,168 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// Cameras and their parameters.
+
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include "balcony/diagnose.hpp"
+#include "balcony/drawing.hpp"
+#include "balcony/studies.hpp"
+#include "python/diagnostics.hpp"
+#include "python/objects.hpp"
+#include "python/running.hpp"
+#include "python/words.hpp"
+
+namespace balcony::python {
+
+namespace py = pybind11;
+
+namespace {
+
+using app::EditableCamera;
+
+// What get(camera) makes, while no other thread uses the camera.
+template <class Get>
+auto locked(const CameraPointer& camera, const Get& get) {
+    const py::gil_scoped_release released;
+    const std::lock_guard lock(camera->mutex);
+    return get(camera->camera);
+}
+
+// A text of cameras has a brace; names and files have none.
+CameraPointer make_camera(const std::string& camera, const std::string& name,
+                          const std::string& folder) {
+    const bool is_text = camera.find('{') != std::string::npos;
+    auto made = made_by([&](const std::stop_token& stop) {
+        return is_text ? EditableCamera::make(
+                             {std::make_shared<const SourceText>("text", camera), folder}, name, {},
+                             stop)
+               : name.empty() ? EditableCamera::make(camera, {}, stop)
+                              : EditableCamera::make(lang::CameraSource(camera), name, {}, stop);
+    });
+    return std::make_shared<CameraObject>(take(std::move(made)));
+}
+
+std::vector<EditableCamera::Parameter> all_parameters(const CameraPointer& camera) {
+    return locked(camera, [](EditableCamera& own) { return own.parameters(); });
+}
+
+void set_values(const CameraPointer& camera, const py::dict& values) {
+    const std::vector<lang::Override> set = values_of(values, all_parameters(camera));
+    tell(made_by([&](const std::stop_token& stop) {
+        const std::lock_guard lock(camera->mutex);
+        ++camera->changes;
+        return camera->camera.set(set, stop);
+    }));
+}
+
+py::list parameters_of(const CameraPointer& camera) {
+    py::list told;
+    for (const EditableCamera::Parameter& one : all_parameters(camera)) {
+        told.append(py::make_tuple(one.name, one.value, one.written, one.is_angle,
+                                   py::make_tuple(one.limits.minimum, one.limits.maximum),
+                                   one.limits_text));
+    }
+    return told;
+}
+
+template <class Finding>
+py::tuple told_of(const std::string& camera, std::string_view name, const Finding& finding,
+                  const std::optional<analyse::V2d>& at) {
+    const py::object place = at ? py::object(py::make_tuple(at->x, at->y)) : py::none();
+    return py::make_tuple(camera, std::string(name), finding.defect, finding.message,
+                          finding.remedy, place);
+}
+
+void add_findings(const app::CameraCheck& check, py::list& told) {
+    for (const analyse::Finding& one : check.report.findings) {
+        told.append(told_of(check.title(), analyse::name_of(one.kind), one, one.place.point));
+    }
+    if (check.in_scene) {
+        for (const auto& one : check.in_scene->findings()) {
+            told.append(told_of(check.title(), one.name, one, one.at));
+        }
+    }
+}
+
+// Of the cameras of a picture, without a scene.
+Result<std::vector<app::CameraCheck>> check_alone(const camera::Picture& picture,
+                                                  const std::array<std::size_t, 2>& size,
+                                                  const std::stop_token& stop) {
+    std::vector<app::CameraCheck> made;
+    for (const camera::ShownCamera& shown : camera::shown_cameras(picture)) {
+        const auto [width, height] = camera::size_of(
+            shown.uses.front(), static_cast<double>(size[0]), static_cast<double>(size[1]));
+        auto report = analyse::diagnose(
+            shown.camera, {.width = width, .height = height, .distance = {}}, {}, stop);
+        if (!report) {
+            return std::move(report.diagnostics);
+        }
+        made.emplace_back().report = std::move(*report);
+    }
+    return made;
+}
+
+py::list check(const CameraPointer& camera, const std::array<std::size_t, 2>& size,
+               const ScenePointer& scene) {
+    const auto found = take(made_by([&](const std::stop_token& stop) {
+        const Locked locked(*camera, scene);
+        const auto picture = camera->picture(scene, stop);
+        return picture ? scene ? app::check(*picture, scene->scene, size, stop)
+                               : check_alone(*picture, size, stop)
+                       : Result<std::vector<app::CameraCheck>>(picture.diagnostics);
+    }));
+    py::list told;
+    for (const app::CameraCheck& one : found) {
+        add_findings(one, told);
+    }
+    return told;
+}
+
+std::string drawing_of(const CameraPointer& camera) {
+    return take(made_by([&](const std::stop_token& stop) {
+        const std::lock_guard lock(camera->mutex);
+        auto drawn =
+            analyse::draw(camera->camera.picture(), {}, {.width = 640, .height = 480}, {}, stop);
+        return drawn ? Result<std::string>(analyse::to_svg(*drawn))
+                     : Result<std::string>(std::move(drawn.diagnostics));
+    }));
+}
+
+}  // namespace
+
+Locked::Locked(CameraObject& camera, const ScenePointer& scene)
+    : scene_(scene ? std::unique_lock(scene->mutex) : std::unique_lock<std::mutex>()),
+      camera_(camera.mutex) {}
+
+Result<camera::Picture> CameraObject::picture(const ScenePointer& scene,
+                                              const std::stop_token& stop) {
+    if (!scene) {
+        return camera.picture();
+    }
+    return placed.get({.scene = scene}, changes,
+                      [&] { return camera.picture(scene->scene, stop); });
+}
+
+void define_cameras(py::module_& module) {
+    py::class_<CameraObject, CameraPointer>(module, "Camera")
+        .def(py::init(&make_camera), py::arg("camera"), py::arg("name"), py::arg("folder"))
+        .def("copy",
+             [](const CameraPointer& camera) {
+                 return std::make_shared<CameraObject>(
+                     locked(camera, [](EditableCamera& own) { return own.copy(); }));
+             })
+        .def("set", &set_values)
+        .def("parameters", &parameters_of)
+        .def("name", [](const CameraPointer& camera) { return camera->camera.name(); })
+        .def("comment", [](const CameraPointer& camera) { return camera->camera.comment(); })
+        .def("text",
+             [](const CameraPointer& camera) {
+                 return take(locked(camera, [](EditableCamera& own) { return own.text(); }));
+             })
+        .def("check", &check, py::arg("size"), py::arg("scene"))
+        .def("drawing", &drawing_of);
+}
+
+}  // namespace balcony::python

@@ -1,0 +1,151 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+// Scenes, and pictures of them.
+
+#include <atomic>
+
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include "balcony/inputs.hpp"
+#include "balcony/picture_options.hpp"
+#include "balcony/prepared_scene.hpp"
+#include "python/diagnostics.hpp"
+#include "python/objects.hpp"
+#include "python/running.hpp"
+#include "python/words.hpp"
+
+namespace balcony::python {
+
+namespace py = pybind11;
+
+namespace {
+
+app::Request request_of(const py::dict& options) {
+    app::Request request;
+    read_options(options, request);
+    return request;
+}
+
+ScenePointer load(const std::string& file, const py::dict& options) {
+    app::Request request = request_of(options);
+    request.scene = file;
+    return std::make_shared<SceneObject>(take(made_by(
+        [&](const std::stop_token& stop) { return app::PreparedScene::make(request, {}, stop); })));
+}
+
+// How far a render is, told to a function of Python by the thread that called.
+class ToldProgress {
+public:
+    explicit ToldProgress(py::object tell) : tell_(std::move(tell)) {}
+
+    [[nodiscard]] app::Observer observer() {
+        app::Observer made;
+        made.progress = [this](const render::Progress& progress) {
+            done_ = static_cast<double>(progress.tiles_done) / static_cast<double>(progress.tiles);
+        };
+        return made;
+    }
+    void operator()() {
+        const double done = done_;
+        if (!tell_.is_none() && done != told_) {
+            told_ = done;
+            tell_(done);
+        }
+    }
+
+private:
+    py::object tell_;
+    std::atomic<double> done_ = 0.0;
+    double told_ = 0.0;
+};
+
+struct Rendered {
+    app::Report report;
+    std::shared_ptr<const render::Film> film;
+};
+
+// The camera of a picture: one of a file, or one of the scene.
+Result<camera::Picture> picture_in(const ScenePointer& scene, const CameraPointer& camera,
+                                   const std::string& name, const std::stop_token& stop) {
+    if (camera) {
+        const std::lock_guard lock(camera->mutex);
+        return camera->picture(scene, stop);
+    }
+    const app::PreparedScene& own = scene->scene;
+    return name.empty() ? app::default_picture(*own.scene(), own.renderer(), stop)
+                        : app::load_picture(name, {}, *own.scene(), stop);
+}
+
+Rendered rendered(const ScenePointer& scene, const CameraPointer& camera,
+                  const app::Request& request, const app::Observer& observer,
+                  const std::stop_token& stop) {
+    const std::lock_guard lock(scene->mutex);
+    Rendered made;
+    const auto picture = picture_in(scene, camera, request.camera, stop);
+    made.report.diagnostics = picture.diagnostics;
+    if (picture) {
+        made.report = scene->scene.render(*picture, request, observer, stop);
+        made.report.diagnostics.insert(made.report.diagnostics.begin(), picture.diagnostics.begin(),
+                                       picture.diagnostics.end());
+        made.film = scene->scene.film();
+    }
+    return made;
+}
+
+// The film, the exposure that was asked for, the names of the camera and of the view transform, and
+// whether a display shows it dithered.
+py::tuple render(const ScenePointer& scene, const CameraPointer& camera, const py::dict& options,
+                 const py::object& progress) {
+    const app::Request request = request_of(options);
+    ToldProgress told(progress);
+    const app::Observer observer = told.observer();
+    const Rendered made = made_by(
+        [&](const std::stop_token& stop) {
+            return rendered(scene, camera, request, observer, stop);
+        },
+        [&] { told(); });
+    tell(made.report.diagnostics);
+    // A film is not changed once it is rendered; pybind11 knows no pointers to constants.
+    return py::make_tuple(
+        std::const_pointer_cast<render::Film>(made.film), request.exposure, made.report.camera,
+        std::string(render::view_transforms()[request.view_transform()].name), request.dither);
+}
+
+void set_time(const ScenePointer& scene, double time) {
+    tell(made_by([&](const std::stop_token&) {
+        const std::lock_guard lock(scene->mutex);
+        ++scene->changes;
+        return scene->scene.set_time(time);
+    }));
+}
+
+template <class Things>
+std::vector<std::string> names_of(const Things& things) {
+    std::vector<std::string> names;
+    for (const auto& one : things) {
+        names.push_back(one.name);
+    }
+    return names;
+}
+
+}  // namespace
+
+void define_scenes(py::module_& module) {
+    py::class_<SceneObject, ScenePointer>(module, "Scene")
+        .def(py::init(&load), py::arg("file"), py::arg("options"))
+        .def("objects",
+             [](const SceneObject& scene) { return names_of(scene.scene.scene()->objects); })
+        .def("cameras",
+             [](const SceneObject& scene) { return names_of(scene.scene.scene()->cameras); })
+        .def("axes",
+             [](const SceneObject& scene) {
+                 return scene.scene.scene()->axes == Axes::y_up ? "y_up" : "z_up";
+             })
+        .def("time", [](const SceneObject& scene) { return scene.scene.settings().time; })
+        .def("set_time", &set_time)
+        .def("render", &render, py::arg("camera"), py::arg("options"), py::arg("progress"));
+}
+
+}  // namespace balcony::python

@@ -1,0 +1,169 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "python/words.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "balcony/picture_options.hpp"
+#include "python/diagnostics.hpp"
+
+namespace balcony::python {
+
+namespace py = pybind11;
+
+namespace {
+
+bool is_list(const py::handle& value) {
+    return py::isinstance<py::list>(value) || py::isinstance<py::tuple>(value);
+}
+
+// An array as lists, and what has a path as that.
+py::object plain(const py::handle& value) {
+    if (py::hasattr(value, "tolist")) {
+        return value.attr("tolist")();
+    }
+    if (py::hasattr(value, "__fspath__")) {
+        return value.attr("__fspath__")();
+    }
+    return py::reinterpret_borrow<py::object>(value);
+}
+
+[[noreturn]] void refuse(const std::string& name, const py::handle& value) {
+    throw py::type_error(
+        fmt::format("'{}' is {}, but a number, a text or a tuple of numbers is needed", name,
+                    std::string(py::repr(value))));
+}
+
+std::string number_text(const std::string& name, const py::handle& value) {
+    const double number = PyFloat_AsDouble(value.ptr());
+    if (PyErr_Occurred() != nullptr) {
+        PyErr_Clear();
+        refuse(name, value);
+    }
+    if (!std::isfinite(number)) {
+        throw py::value_error(fmt::format("'{}' is {}, but a finite number is needed", name,
+                                          std::string(py::repr(value))));
+    }
+    return fmt::format("{}", number);
+}
+
+std::string expression_of(const std::string& name, const py::handle& given) {
+    const py::object value = plain(given);
+    if (py::isinstance<py::str>(value)) {
+        return value.cast<std::string>();
+    }
+    if (py::isinstance<py::bool_>(value)) {
+        refuse(name, value);
+    }
+    if (!is_list(value)) {
+        return number_text(name, value);
+    }
+    std::vector<std::string> parts;
+    for (const py::handle& part : value) {
+        parts.push_back(expression_of(name, part));
+    }
+    const bool is_tuple = py::isinstance<py::tuple>(value);
+    return fmt::format("{}{}{}", is_tuple ? '(' : '[', fmt::join(parts, ", "),
+                       is_tuple ? ')' : ']');
+}
+
+// One value of an option as a word.
+std::string word_of(const app::OptionInfo& row, const py::handle& given) {
+    const py::object value = plain(given);
+    if (py::isinstance<py::str>(value)) {
+        return value.cast<std::string>();
+    }
+    if (!is_list(value)) {
+        return number_text(row.name, value);
+    }
+    std::vector<std::string> parts;
+    for (const py::handle& part : value) {
+        parts.push_back(word_of(row, part));
+    }
+    return fmt::format("{}", fmt::join(parts, row.name == "--size" ? "x" : ","));
+}
+
+std::vector<std::string> words_of(const app::OptionInfo& row, const py::handle& value) {
+    if (row.type == app::OptionType::flag) {
+        return value.cast<bool>() ? std::vector<std::string>{"true"} : std::vector<std::string>{};
+    }
+    std::vector<std::string> words;
+    if (row.repeated && py::isinstance<py::list>(value)) {
+        for (const py::handle& one : value) {
+            words.push_back(word_of(row, one));
+        }
+    } else {
+        words.push_back(word_of(row, value));
+    }
+    return words;
+}
+
+Diagnostic unknown_option(const std::string& name, const app::Options<app::Request>& options) {
+    std::vector<std::string> names;
+    for (const app::OptionInfo& row : options.rows) {
+        names.push_back(row.name.substr(2));
+    }
+    return error(Kind::usage, fmt::format("there is no option '{}'", name),
+                 did_you_mean(name, names, "docs/command.md lists the options of balcony render"));
+}
+
+}  // namespace
+
+std::vector<lang::Override> values_of(
+    const py::dict& values, const std::vector<app::EditableCamera::Parameter>& parameters) {
+    std::vector<lang::Override> made;
+    for (const auto& [key, value] : values) {
+        const auto name = key.cast<std::string>();
+        const bool is_angle =
+            std::any_of(parameters.begin(), parameters.end(),
+                        [&](const auto& one) { return one.name == name && one.is_angle; });
+        std::string expression = expression_of(name, value);
+        const bool is_number = !py::isinstance<py::str>(value);
+        made.push_back({name, is_angle && is_number ? expression + "rad" : expression});
+    }
+    return made;
+}
+
+void read_options(const py::dict& options, app::Request& request) {
+    const app::Options<app::Request> known = app::request_options();
+    app::GivenWords given;
+    for (const auto& [key, value] : options) {
+        std::string name = key.cast<std::string>();
+        std::replace(name.begin(), name.end(), '_', '-');
+        const auto row =
+            std::find_if(known.rows.begin(), known.rows.end(),
+                         [&](const app::OptionInfo& one) { return one.name == "--" + name; });
+        if (row == known.rows.end()) {
+            tell({unknown_option(name, known)});
+        }
+        if (value.is_none()) {
+            continue;
+        }
+        std::vector<std::string> words = words_of(*row, value);
+        if (!words.empty()) {
+            given[row->name] = std::move(words);
+        }
+    }
+    Diagnostics found;
+    known.read(given, request, found);
+    tell(found);
+}
+
+std::optional<Axes> axes_of(const py::object& name) {
+    if (name.is_none()) {
+        return {};
+    }
+    const auto text = name.cast<std::string>();
+    if (text != "y_up" && text != "z_up") {
+        throw py::value_error(fmt::format("there are no axes '{}': give 'y_up' or 'z_up'", text));
+    }
+    return text == "y_up" ? Axes::y_up : Axes::z_up;
+}
+
+}  // namespace balcony::python
