@@ -346,6 +346,52 @@ TEST(VisibleLayers, AreHiddenByOpaqueLayersInFront) {
     EXPECT_EQ(ray_at(translucent->layers()[1].rays, {60.0, 30.0}).valid, true);
 }
 
+TEST(VisibleLayers, OfOneCameraAreNotHidden) {
+    const auto made = compile_layers(camera::Picture(built_in("pinhole")), 80, 60,
+                                     {.tiles = false, .points = true});
+    ASSERT_TRUE(made);
+    EXPECT_FALSE(made->any_hidden());
+}
+
+// The master of layers by depth hides what is behind all of them. What covers a place in part is
+// seen.
+TEST(VisibleLayers, ByDepthAreHiddenByTheirMaster) {
+    const std::string by_depth =
+        std::string(two_layers).substr(0, std::string(two_layers).find("picture")) +
+        "picture deep {\n"
+        "    layer left { }\n"
+        "    layer left { }\n"
+        "    layer left { alpha 0.5\n blend by depth }\n"
+        "}\n";
+    const auto made =
+        compile_layers(picture_of(by_depth), 80, 60, {.tiles = false, .points = true});
+    ASSERT_TRUE(made) << to_text(made.diagnostics);
+    ASSERT_TRUE(made->any_hidden());
+    std::array<double, 3> hidden{};
+    const std::array results{&hidden[0], &hidden[1], &hidden[2]};
+    const double x = 20.0;
+    const double y = 30.0;
+    Scratch scratch;
+    made->run_hidden(Points{std::span(&x, 1), std::span(&y, 1)}, scratch, results);
+    EXPECT_EQ(hidden, (std::array{1.0, 0.0, 0.0}));
+    EXPECT_TRUE(ray_at(made->layers()[2].rays, {x, y}).valid);
+}
+
+TEST(RayProgram, CountsWhatARayCosts) {
+    expr::Graph graph;
+    const auto number = [&](double value) { return graph.constant(value); };
+    const auto cost = [&](const expr::Expr& x) {
+        const camera::RayExpressions ray{.origin = {number(0), number(0), number(0)},
+                                         .direction = {number(1), x, number(0)},
+                                         .valid = number(1),
+                                         .parameters = {number(0), number(0)}};
+        return RayProgram::make(ray, Axes::z_up, {})->instruction_count();
+    };
+    EXPECT_EQ(cost(number(2)), 0U);
+    const expr::Expr x = graph.input("x");
+    EXPECT_EQ(cost(x * x), 1U);
+}
+
 // ------------------------------------------------------------------------------------ limits
 
 // 512 warps, one after another, each towards so many seeds.
