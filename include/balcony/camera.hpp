@@ -99,6 +99,14 @@ struct Turn {
     Axes axes = Axes::z_up;          ///< Of the centre.
 };
 
+/// Where a camera stands: all of its rays are rotated, and then shifted. In axes with z up,
+/// whatever the camera has.
+struct Pose {
+    /// Orthonormal, of determinant 1: place = rotation * point + position.
+    std::array<std::array<double, 3>, 3> rotation{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    std::array<double, 3> position{};
+};
+
 /// An extended camera. Its stages write their formulas once, when it is made.
 class Camera {
 public:
@@ -111,7 +119,8 @@ public:
         StereoViewPointer stereo{};  ///< Null: the only view.
         LensPointer lens{};          ///< Null: a pinhole at the origin of each ray.
         BendPointer bend{};          ///< Null: rays are straight. Not together with a lens.
-        std::optional<Turn> turn{};  ///< Of the rays that all of this makes.
+        std::optional<Pose> pose{};  ///< Of the rays that all of this makes.
+        std::optional<Turn> turn{};  ///< Of the rays in this pose.
         /// When each ray meets the scene: a number of seconds as a formula of the point of the
         /// camera's own picture, in fractions from its top left corner. It replaces t in all other
         /// formulas of the camera. Without it, every ray meets the scene at time t.
@@ -139,6 +148,8 @@ public:
 
     [[nodiscard]] const std::string& name() const { return emitted_->parts.name; }
     [[nodiscard]] const Parts& parts() const { return emitted_->parts; }
+    /// The same camera in another pose.
+    [[nodiscard]] Camera with_pose(const Pose& pose) const;
     /// The same camera with another turn.
     [[nodiscard]] Camera with_turn(const Turn& turn) const;
     /// The aspect without which its picture is stretched: that of its parts. Nothing if its maps

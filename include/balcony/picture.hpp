@@ -202,6 +202,8 @@ public:
     [[nodiscard]] Picture with_fit(Fit fit) const;
     /// The same, with another default size in pixels.
     [[nodiscard]] Picture with_size(const std::array<std::size_t, 2>& size) const;
+    /// The same, with all its cameras in another pose.
+    [[nodiscard]] Picture with_pose(const Pose& pose) const;
     /// The same, with another turn of all its cameras.
     [[nodiscard]] Picture with_turn(const Turn& turn) const;
     /// The same with all its cameras as views of a stereo pair. It is an error if one of them is
@@ -225,8 +227,9 @@ public:
     [[nodiscard]] PictureExpressions emit(Graph& graph, double width, double height) const;
 
 private:
-    using TurnedCameras = std::map<const Camera::Parts*, Camera>;
-    [[nodiscard]] Picture with_turn(const Turn& turn, TurnedCameras& cameras) const;
+    using MovedCameras = std::map<const Camera::Parts*, Camera>;
+    template <class Move>
+    [[nodiscard]] Picture moved(const Move& move, MovedCameras& cameras) const;
 
     explicit Picture(Parts parts) : parts_(std::make_shared<const Parts>(std::move(parts))) {}
     std::shared_ptr<const Parts> parts_;

@@ -106,4 +106,46 @@ TEST(Turn, OfAPictureTurnsAllCamerasAndKeepsThemShared) {
     EXPECT_TRUE(alone.only_camera()->parts().turn.has_value());
 }
 
+TEST(Pose, RotatesAndShiftsAllRays) {
+    const Vector axis{2.0 / 3.0, -1.0 / 3.0, 2.0 / 3.0};
+    const double angle = 0.7;
+    Pose pose{.rotation = {}, .position = {3.0, -2.0, 0.5}};
+    for (std::size_t i = 0; i < 3; ++i) {
+        Vector unit{};
+        unit[i] = 1.0;
+        const Vector image = rotated(unit, axis, angle);
+        for (std::size_t row = 0; row < 3; ++row) {
+            pose.rotation[row][i] = image[row];
+        }
+    }
+    const auto z_up = [](const Vector& v, Axes from) {
+        return from == Axes::z_up ? v : Vector{v[0], -v[2], v[1]};
+    };
+    for (const Axes axes : {Axes::z_up, Axes::y_up}) {
+        const CameraProbe still(plain(axes), 30, 20);
+        const CameraProbe posed(plain(axes).with_pose(pose), 30, 20);
+        const Ray before = still(3.0, 4.0);
+        const Ray after = posed(3.0, 4.0);
+        ASSERT_TRUE(before.valid && after.valid);
+        expect_near(z_up(after.origin, axes),
+                    rotated(z_up(before.origin, axes), axis, angle) + Vector{3.0, -2.0, 0.5},
+                    tolerance);
+        expect_near(z_up(after.direction, axes), rotated(z_up(before.direction, axes), axis, angle),
+                    tolerance);
+    }
+}
+
+TEST(Pose, ComesBeforeATurn) {
+    const Pose pose{.rotation = Pose().rotation, .position = {1.0, 0.0, 0.0}};
+    const Turn quarter{pi / 2.0, {}, Axes::z_up};
+    const CameraProbe still(plain(Axes::z_up), 30, 20);
+    for (const Camera& camera : {plain(Axes::z_up).with_pose(pose).with_turn(quarter),
+                                 plain(Axes::z_up).with_turn(quarter).with_pose(pose)}) {
+        expect_near(
+            CameraProbe(camera, 30, 20)(3.0, 4.0).origin,
+            rotated(still(3.0, 4.0).origin + Vector{1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, pi / 2.0),
+            tolerance);
+    }
+}
+
 }  // namespace balcony::camera::turn_test

@@ -307,6 +307,9 @@ Camera::Emitted::Emitted(Parts made_of, const std::stop_token& stop, std::size_t
             problems.push_back(std::move(problem));
         }
     }
+    if (parts.pose) {
+        ray = posed(ray, *parts.pose, parts.axes, Emitter(graph));
+    }
     if (parts.turn) {
         ray = turned(ray, *parts.turn, parts.axes, Emitter(graph));
     }
@@ -317,6 +320,13 @@ Camera::Emitted::Emitted(Parts made_of, const std::stop_token& stop, std::size_t
         ray = at_time(ray, time);
         stages = substitute(graph, stages, std::array{expr::Substitution{graph.time(), time}});
     }
+}
+
+Camera Camera::with_pose(const Pose& pose) const {
+    Parts posed = parts();
+    posed.pose = pose;
+    return Camera(
+        std::make_shared<const Emitted>(std::move(posed), std::stop_token(), expr::max_nodes));
 }
 
 Camera Camera::with_turn(const Turn& turn) const {

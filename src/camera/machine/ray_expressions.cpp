@@ -406,7 +406,49 @@ RayExpressions bent(const RayExpressions& ray, const Bend& bend, const PicturePo
     return made;
 }
 
-// ---------------------------------------------------------------------------------------- turn
+// ---------------------------------------------------------------------------------------- motion
+
+namespace {
+
+// A ray that is moved with its lens and its bend: a point becomes to + rotate(point - from).
+template <class Rotate>
+RayExpressions moved(const RayExpressions& ray, const ObjectPoint& from, const ObjectPoint& to,
+                     const Rotate& rotate) {
+    const auto move = [&](ObjectPoint& point) { point = to + rotate(point - from); };
+    RayExpressions made = ray;
+    move(made.origin);
+    made.direction = rotate(ray.direction);
+    if (ray.lens) {
+        move(made.lens->ray.origin);
+        made.lens->ray.direction = rotate(ray.lens->ray.direction);
+    }
+    if (ray.bend) {
+        std::for_each(made.bend->knots.begin(), made.bend->knots.end(), move);
+        made.bend->direction = rotate(ray.bend->direction);
+    }
+    return made;
+}
+
+ObjectPoint point_in(const std::array<double, 3>& place, Axes from, Axes to, const Emitter& emit) {
+    const auto& [x, y, z] = place;
+    const Imath::V3d made = balcony::turned(Imath::V3d(x, y, z), from, to);
+    return {emit(made.x), emit(made.y), emit(made.z)};
+}
+
+}  // namespace
+
+RayExpressions posed(const RayExpressions& ray, const Pose& pose, Axes axes, const Emitter& emit) {
+    const auto rotate = [&](const ObjectVector& vector) {
+        const ObjectVector v = balcony::turned(vector, axes, Axes::z_up);
+        const auto along = [&](const std::array<double, 3>& row) {
+            return emit(row[0]) * v.x + emit(row[1]) * v.y + emit(row[2]) * v.z;
+        };
+        const auto& [x, y, z] = pose.rotation;
+        return balcony::turned(ObjectVector{along(x), along(y), along(z)}, Axes::z_up, axes);
+    };
+    return moved(ray, {emit(0.0), emit(0.0), emit(0.0)},
+                 point_in(pose.position, Axes::z_up, axes, emit), rotate);
+}
 
 RayExpressions turned(const RayExpressions& ray, const Turn& turn, Axes axes, const Emitter& emit) {
     const Expr angle = emit(turn.angle);
@@ -416,23 +458,8 @@ RayExpressions turned(const RayExpressions& ray, const Turn& turn, Axes axes, co
         return axes == Axes::z_up ? ObjectVector{c * v.x - s * v.y, s * v.x + c * v.y, v.z}
                                   : ObjectVector{c * v.x + s * v.z, v.y, c * v.z - s * v.x};
     };
-    const auto& [x, y, z] = turn.center;
-    const Imath::V3d o = balcony::turned(Imath::V3d(x, y, z), turn.axes, axes);
-    const ObjectPoint center{emit(o.x), emit(o.y), emit(o.z)};
-    RayExpressions made = ray;
-    made.origin = center + about_vertical(ray.origin - center);
-    made.direction = about_vertical(ray.direction);
-    if (ray.lens) {
-        made.lens->ray.origin = center + about_vertical(ray.lens->ray.origin - center);
-        made.lens->ray.direction = about_vertical(ray.lens->ray.direction);
-    }
-    if (ray.bend) {
-        for (ObjectPoint& knot : made.bend->knots) {
-            knot = center + about_vertical(knot - center);
-        }
-        made.bend->direction = about_vertical(ray.bend->direction);
-    }
-    return made;
+    const ObjectPoint center = point_in(turn.center, turn.axes, axes, emit);
+    return moved(ray, center, center, about_vertical);
 }
 
 // ---------------------------------------------------------------------------------------- time

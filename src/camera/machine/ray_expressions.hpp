@@ -43,6 +43,10 @@ namespace balcony::camera {
 [[nodiscard]] RayExpressions bent(const RayExpressions& ray, const Bend& bend,
                                   const PicturePoint& picture, Emitter& emit);
 
+/// A ray of a camera with these axes in a pose, with its lens and its bend.
+[[nodiscard]] RayExpressions posed(const RayExpressions& ray, const Pose& pose, Axes axes,
+                                   const Emitter& emit);
+
 /// A ray of a camera with these axes, turned with its lens and its bend.
 [[nodiscard]] RayExpressions turned(const RayExpressions& ray, const Turn& turn, Axes axes,
                                     const Emitter& emit);

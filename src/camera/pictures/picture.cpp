@@ -368,28 +368,34 @@ Picture Picture::with_size(const std::array<std::size_t, 2>& size) const {
     return made;
 }
 
-Picture Picture::with_turn(const Turn& turn) const {
-    TurnedCameras cameras;
-    return with_turn(turn, cameras);
-}
-
 // Layers that share a camera still do afterwards.
-Picture Picture::with_turn(const Turn& turn, TurnedCameras& cameras) const {
+template <class Move>
+Picture Picture::moved(const Move& move, MovedCameras& cameras) const {
     Parts parts = *parts_;
     for (Layer& layer : parts.layers) {
         if (const Picture* const inner = nested(layer)) {
-            layer.content = std::make_shared<const Picture>(inner->with_turn(turn, cameras));
+            layer.content = std::make_shared<const Picture>(inner->moved(move, cameras));
             continue;
         }
         const auto own = std::get<Camera>(layer.content);
         const auto known = cameras.find(&own.parts());
-        const Camera turned = known != cameras.end() ? known->second : own.with_turn(turn);
-        cameras.try_emplace(&own.parts(), turned);
-        layer.content = turned;
+        const Camera made = known != cameras.end() ? known->second : move(own);
+        cameras.try_emplace(&own.parts(), made);
+        layer.content = made;
     }
     Picture made(std::move(parts));
     made.of_layers_ = of_layers_;
     return made;
+}
+
+Picture Picture::with_pose(const Pose& pose) const {
+    MovedCameras cameras;
+    return moved([&](const Camera& camera) { return camera.with_pose(pose); }, cameras);
+}
+
+Picture Picture::with_turn(const Turn& turn) const {
+    MovedCameras cameras;
+    return moved([&](const Camera& camera) { return camera.with_turn(turn); }, cameras);
 }
 
 PictureExpressions Picture::emit(Graph& graph, double width, double height) const {

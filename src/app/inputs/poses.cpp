@@ -1,0 +1,94 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "balcony/poses.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "balcony/names.hpp"
+
+namespace balcony::app {
+
+namespace {
+
+using Imath::V3d;
+
+constexpr double tolerance = 1e-4;  // Of matrices of floats, whose digits a file has shortened.
+
+// The columns of a rotation, made exactly orthonormal; nothing if they are no rotation.
+std::optional<std::array<V3d, 3>> orthonormal(const std::array<V3d, 3>& columns) {
+    const auto& [x, y, z] = columns;
+    const V3d across = x.cross(y);
+    const bool is_rotation = std::abs(x.length() - 1.0) < tolerance &&
+                             std::abs(y.length() - 1.0) < tolerance &&
+                             std::abs(x.dot(y)) < tolerance && (across - z).length() < tolerance;
+    if (!is_rotation) {  // As with NaN.
+        return std::nullopt;
+    }
+    const V3d first = x.normalized();
+    const V3d third = across.normalized();
+    return std::array{first, third.cross(first), third};
+}
+
+}  // namespace
+
+std::span<const CameraAxes> camera_axes() {
+    static const std::array rows{
+        CameraAxes{
+            "balcony", "x ahead, y to the left, z up", {V3d(1, 0, 0), V3d(0, 1, 0), V3d(0, 0, 1)}},
+        CameraAxes{"opencv",
+                   "x to the right, y down, z ahead: OpenCV, COLMAP, ROS's optical frames",
+                   {V3d(0, -1, 0), V3d(0, 0, -1), V3d(1, 0, 0)}},
+        CameraAxes{"opengl",
+                   "x to the right, y up, z to the back: OpenGL, Blender, glTF, nerfstudio",
+                   {V3d(0, -1, 0), V3d(0, 0, 1), V3d(-1, 0, 0)}},
+    };
+    return rows;
+}
+
+Result<camera::Pose> pose_of(const PoseMatrix& matrix, std::string_view axes, Axes world) {
+    const auto all = camera_axes();
+    const auto row = std::find_if(all.begin(), all.end(),
+                                  [&](const CameraAxes& one) { return one.name == axes; });
+    if (row == all.end()) {
+        std::vector<std::string> names;
+        for (const CameraAxes& one : all) {
+            names.emplace_back(one.name);
+        }
+        return error(Kind::usage, fmt::format("there are no axes '{}' of cameras", axes),
+                     did_you_mean(axes, names, fmt::format("they are {}", fmt::join(names, ", "))));
+    }
+    const auto column = [&](std::size_t i) {
+        return V3d(matrix[0][i], matrix[1][i], matrix[2][i]);
+    };
+    const V3d position = column(3);
+    const auto rotation = orthonormal({column(0), column(1), column(2)});
+    if (!rotation || !std::isfinite(position.length2())) {
+        return error(Kind::usage, "the matrix of a pose is not a rotation with a finite place",
+                     "give the matrix from the camera to the world, without a scale");
+    }
+    const V3d place = turned(position, world, Axes::z_up);
+    camera::Pose pose{.rotation = {}, .position = {place.x, place.y, place.z}};
+    // `axes` are the vectors of the program's axes: their coordinates i are those of Balcony's axis
+    // i.
+    for (int i = 0; i < 3; ++i) {
+        V3d image(0.0);
+        for (std::size_t k = 0; k < 3; ++k) {
+            image += row->axes[k][i] * (*rotation)[k];
+        }
+        image = turned(image, world, Axes::z_up);
+        for (int j = 0; j < 3; ++j) {
+            pose.rotation[static_cast<std::size_t>(j)][static_cast<std::size_t>(i)] = image[j];
+        }
+    }
+    return pose;
+}
+
+}  // namespace balcony::app
