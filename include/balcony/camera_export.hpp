@@ -50,6 +50,10 @@ struct CameraExport {
 [[nodiscard]] Result<CameraExport> export_camera(const lang::OpenCamera& opened,
                                                  const CameraExportRequest& request);
 
+/// The same of a picture that is one camera; one with layers is an error.
+[[nodiscard]] Result<CameraExport> export_camera(const lang::OpenPicture& opened,
+                                                 const CameraExportRequest& request);
+
 /// What the author of a camera says about it in its text; empty if that is nothing.
 [[nodiscard]] std::string comment_of(lang::Workspace& workspace, const lang::CameraSource& source,
                                      const std::string& camera);

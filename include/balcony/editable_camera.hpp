@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "balcony/base.hpp"
+#include "balcony/camera_export.hpp"
 #include "balcony/lang.hpp"
 #include "balcony/picture.hpp"
 #include "balcony/prepared_scene.hpp"
@@ -60,17 +61,25 @@ public:
     [[nodiscard]] Diagnostics set(const std::vector<lang::Override>& values,
                                   const std::stop_token& stop = {});
 
-    /// The picture with these values.
+    /// Puts the camera into a pose, from where its file has it; a scene does not place it then.
+    void set_pose(const std::optional<camera::Pose>& pose);
+    [[nodiscard]] const std::optional<camera::Pose>& pose() const;
+
+    /// The picture with these values, in this pose.
     [[nodiscard]] const camera::Picture& picture() const;
     /// The same in a scene, which may place it. PreparedScene::picture() has the rest.
     [[nodiscard]] Result<camera::Picture> picture(PreparedScene& scene,
-                                                  const std::stop_token& stop = {}) const;
+                                                  const std::stop_token& stop = {});
     /// The same with these parameters open, or all that can be, alone or in a scene.
     [[nodiscard]] Result<lang::OpenPicture> open_picture(
         const std::optional<std::vector<std::string>>& open, PreparedScene* scene = nullptr,
         const std::stop_token& stop = {});
 
-    /// The text of a file with this camera, its values written into it.
+    /// As `balcony export` writes it, with these values. Of the request, the title and the comment
+    /// are not read.
+    [[nodiscard]] Result<CameraExport> export_camera(CameraExportRequest request);
+
+    /// The text of a file with this camera, its values written into it. It has no pose.
     [[nodiscard]] Result<std::string> text();
 
 private:

@@ -262,22 +262,14 @@ Result<app::CameraExport> Inspector::export_camera(app::CameraExportRequest requ
     if (!made) {
         return std::move(made.diagnostics);
     }
-    const camera::Camera* const camera = made->picture.only_camera();
-    if (camera == nullptr) {
-        return error(fmt::format("'{}' is a picture with layers, but one camera is exported",
-                                 made->picture.name()),
-                     {}, "show one of its cameras");
-    }
     for (const lang::Override& one : state.camera.picture().all_closed(state.shown->values)) {
         request.title += fmt::format(" --set {}={}", one.name, one.expression);
     }
     lang::Workspace workspace;
     request.comment =
-        app::comment_of(workspace, source_of(*state.shown, state.folder), camera->name());
+        app::comment_of(workspace, source_of(*state.shown, state.folder), made->picture.name());
     request.size = state.shown->size;
-    return app::export_camera(
-        {*camera, std::move(made->open), std::move(made->closed), std::move(made->numbers)},
-        request);
+    return app::export_camera(*made, request);
 }
 
 namespace {

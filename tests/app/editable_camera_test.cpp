@@ -96,5 +96,20 @@ TEST(EditableCamera, HasOpenParameters) {
     EXPECT_FALSE(camera.open_picture(std::vector<std::string>{"nothing"}));
 }
 
+TEST(EditableCamera, IsExportedWithItsValues) {
+    EditableCamera camera = camera_of({{"fov", "60deg"}});
+    const bridge::ExportTarget* const numpy = bridge::find_export_target("numpy");
+    ASSERT_NE(numpy, nullptr);
+    const auto made = camera.export_camera({.target = numpy});
+    ASSERT_TRUE(made) << to_text(made.diagnostics);
+    EXPECT_NE(made->text.find("looking --set fov=60deg"), std::string::npos) << made->text;
+    EXPECT_NE(made->text.find("Looks around."), std::string::npos) << made->text;
+    const auto layers = EditableCamera::make(
+        {std::make_shared<const SourceText>("two.cam", text + "picture two { layer looking {} }")},
+        "", {});
+    ASSERT_TRUE(layers) << to_text(layers.diagnostics);
+    EXPECT_FALSE(layers->copy().export_camera({.target = numpy}));
+}
+
 }  // namespace
 }  // namespace balcony::app::editable_camera_test

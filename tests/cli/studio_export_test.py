@@ -33,7 +33,7 @@ class Exports(StudioTest):
         change = page.result("view/change", camera="two")["change"]
         page.wait_for("view/rest", change=change)
         self.assertIn("'two' is a picture with layers, but one camera is exported\n"
-                      "  help: show one of its cameras",
+                      "  help: choose one of its cameras",
                       page.error("export", language="c")["message"])
         bent = CAMERA.replace("look relative", "look relative\n    bend pinholes([(0, 0, 3), (9, 0, 0)])")
         page.edit(bent)

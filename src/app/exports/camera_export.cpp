@@ -60,6 +60,18 @@ Result<CameraExport> export_camera(const lang::OpenCamera& opened,
     return {std::move(made), std::move(found)};
 }
 
+Result<CameraExport> export_camera(const lang::OpenPicture& opened,
+                                   const CameraExportRequest& request) {
+    const camera::Camera* const camera = opened.picture.only_camera();
+    if (camera == nullptr) {
+        return error(fmt::format("'{}' is a picture with layers, but one camera is exported",
+                                 opened.picture.name()),
+                     {}, "choose one of its cameras");
+    }
+    return export_camera(lang::OpenCamera{*camera, opened.open, opened.closed, opened.numbers},
+                         request);
+}
+
 std::string comment_of(lang::Workspace& workspace, const lang::CameraSource& source,
                        const std::string& camera) {
     if (const auto described = workspace.describe(source)) {

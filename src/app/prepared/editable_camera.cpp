@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "balcony/inputs.hpp"
 
 namespace balcony::app {
@@ -21,8 +23,11 @@ struct EditableCamera::State {
     std::string comment{};
     std::vector<Parameter> parameters{};
     bool has_values = false;  // Of the parameters.
-    std::optional<camera::Picture> picture{};
+    std::optional<camera::Pose> pose{};
+    std::optional<camera::Picture> made{};     // As its file has it.
+    std::optional<camera::Picture> picture{};  // In its pose.
 
+    void place() { picture = pose ? made->with_pose(*pose) : *made; }
     [[nodiscard]] Diagnostics make(const std::stop_token& stop);
     [[nodiscard]] Diagnostics describe();
     void find_values();
@@ -87,20 +92,21 @@ void EditableCamera::State::find_values() {
 
 Diagnostics EditableCamera::State::make(const std::stop_token& stop) {
     workspace.stop_with(stop);
-    Result<camera::Picture> made = workspace.make_picture(source, name, values);
+    Result<camera::Picture> result = workspace.make_picture(source, name, values);
     workspace.stop_with({});
-    if (!made) {
-        return std::move(made.diagnostics);
+    if (!result) {
+        return std::move(result.diagnostics);
     }
-    if (!picture) {
-        name = made->name();
+    if (!made) {
+        name = result->name();
         if (Diagnostics found = describe(); has_errors(found)) {
             return found;
         }
     }
-    picture = *made;
+    made = std::move(*result);
     has_values = false;
-    return std::move(made.diagnostics);
+    place();
+    return std::move(result.diagnostics);
 }
 
 EditableCamera::EditableCamera(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -132,6 +138,9 @@ EditableCamera EditableCamera::copy() const {
     auto state = std::make_unique<State>(State{state_->source, state_->name, state_->values});
     state->comment = state_->comment;
     state->parameters = state_->parameters;
+    state->has_values = state_->has_values;
+    state->pose = state_->pose;
+    state->made = state_->made;
     state->picture = state_->picture;
     return EditableCamera(std::move(state));
 }
@@ -159,10 +168,15 @@ Diagnostics EditableCamera::set(const std::vector<Override>& values, const std::
     return found;
 }
 
-Result<camera::Picture> EditableCamera::picture(PreparedScene& scene,
-                                                const std::stop_token& stop) const {
-    Result<lang::OpenPicture> made =
-        scene.picture(state_->source, state_->name, state_->values, stop, Names());
+void EditableCamera::set_pose(const std::optional<camera::Pose>& pose) {
+    state_->pose = pose;
+    state_->place();
+}
+
+const std::optional<camera::Pose>& EditableCamera::pose() const { return state_->pose; }
+
+Result<camera::Picture> EditableCamera::picture(PreparedScene& scene, const std::stop_token& stop) {
+    auto made = open_picture(Names(), &scene, stop);
     return made ? Result<camera::Picture>(std::move(made->picture), std::move(made.diagnostics))
                 : Result<camera::Picture>(std::move(made.diagnostics));
 }
@@ -170,14 +184,34 @@ Result<camera::Picture> EditableCamera::picture(PreparedScene& scene,
 Result<lang::OpenPicture> EditableCamera::open_picture(const std::optional<Names>& open,
                                                        PreparedScene* scene,
                                                        const std::stop_token& stop) {
-    if (scene != nullptr) {
-        return scene->picture(state_->source, state_->name, state_->values, stop, open);
+    State& own = *state_;
+    if (scene != nullptr && !own.pose) {
+        return scene->picture(own.source, own.name, own.values, stop, open);
     }
-    state_->workspace.stop_with(stop);
-    auto made =
-        state_->workspace.make_open_picture(state_->source, state_->name, state_->values, open);
-    state_->workspace.stop_with({});
+    own.workspace.stop_with(stop);
+    auto made = own.workspace.make_open_picture(own.source, own.name, own.values, open);
+    own.workspace.stop_with({});
+    if (made && own.pose) {
+        made->picture = made->picture.with_pose(*own.pose);
+    }
+    if (made && scene != nullptr) {
+        Diagnostics found = scene->prepare(made->picture, stop);
+        made.diagnostics.insert(made.diagnostics.end(), found.begin(), found.end());
+    }
     return made;
+}
+
+Result<CameraExport> EditableCamera::export_camera(CameraExportRequest request) {
+    const auto opened = open_picture(parameters_for(*request.target));
+    if (!opened) {
+        return opened.diagnostics;
+    }
+    request.title = state_->name;
+    for (const Override& one : state_->values) {
+        request.title += fmt::format(" --set {}={}", one.name, one.expression);
+    }
+    request.comment = state_->comment;
+    return app::export_camera(*opened, request);
 }
 
 Result<std::string> EditableCamera::text() {
