@@ -19,7 +19,8 @@ them.
 import atexit as _atexit
 
 from . import _balcony
-from ._cameras import Camera, Finding, Jacobian, Parameter, Rays, Sightings, camera, cameras
+from ._cameras import (Camera, Finding, Jacobian, Parameter, Rays, Sightings, Solution, camera, cameras,
+                       export_languages, solve)
 from ._pictures import Picture
 from ._scenes import Scene, load, render
 from .errors import (BalconyWarning, Error, InputError, InternalError, Interrupted, MachineError,
@@ -28,6 +29,7 @@ from .errors import (BalconyWarning, Error, InputError, InternalError, Interrupt
 __version__ = _balcony.version
 __all__ = ["BalconyWarning", "Camera", "Error", "Finding", "InputError", "InternalError",
            "Interrupted", "Jacobian", "MachineError", "Parameter", "Picture", "Rays", "Scene",
-           "Sightings", "UsageError", "camera", "cameras", "load", "render"]
+           "Sightings", "Solution", "UsageError", "camera", "cameras", "export_languages", "load",
+           "render", "solve"]
 
 _atexit.register(_balcony.stop_all)

@@ -162,6 +162,19 @@ class Camera:
         object.__setattr__(made, "_camera", self._camera.copy())
         return made.set(**values) if values else made
 
+    def placed(self, pose, axes: str = "balcony", *, world: str = "z_up") -> Camera:
+        """The same camera in another place: moved from where its file has it by a matrix (3, 4) or (4, 4)
+        from its axes to those of the world, which have y or z up. A scene does not place it then.
+
+        `axes` are those of the camera: "balcony" is x ahead, y to the left, z up; "opencv" is x to the
+        right, y down, z ahead; "opengl", also of Blender and nerfstudio, is x to the right, y up, z to the
+        back. A camera that its file has at the origin, looking along x, stands and looks as the matrix
+        says: built-in cameras do.
+        """
+        made = object.__new__(type(self))
+        object.__setattr__(made, "_camera", self._camera.placed(pose, axes, world))
+        return made
+
     def __getattr__(self, name: str):
         if name.startswith("_"):
             raise AttributeError(name)
@@ -185,9 +198,9 @@ class Camera:
     def __deepcopy__(self, memo):
         return self.copy()
 
-    # A camera goes to another process as its text.
+    # A camera goes to another process as its text and its pose.
     def __reduce__(self):
-        return _from_text, (self.text, self.name)
+        return _from_text, (self.text, self.name, self._camera.pose())
 
     # -------------------------------------------------------------------------------- rays
 
@@ -236,6 +249,24 @@ class Camera:
         return Jacobian(*_balcony.jacobian(self._camera, points, by, size, layer, axes, time,
                                            _object(scene)))
 
+    # -------------------------------------------------------------------------------- other programs
+
+    def export(self, language: str, *, inverse: bool = False, single: bool = False,
+               axes: str | None = None, size: tuple[int, int] = (1280, 720)) -> str:
+        """The camera as a function or a shader of another language, one of `export_languages`.
+
+        `inverse` adds a function from points to positions, `single` asks for single precision, which
+        is judged in a picture of the size.
+        """
+        return _balcony.export_camera(self._camera, language, inverse, single, axes, size)
+
+    def save_rays(self, file: str | os.PathLike, width: int, height: int, *, layer: str = "",
+                  axes: str | None = None, time: float = 0.0, scene: Scene | None = None,
+                  footprints: bool = False) -> None:
+        """Writes a ray map: .exr with 32-bit floats, or .npy."""
+        _balcony.save_rays(self._camera, os.fspath(file), (width, height), str(layer), axes, time,
+                           _object(scene), footprints)
+
     # -------------------------------------------------------------------------------- studies
 
     def check(self, scene: Scene | None = None, *,
@@ -266,8 +297,9 @@ def _object(scene: Scene | None):
     return None if scene is None else scene._scene
 
 
-def _from_text(text: str, name: str) -> Camera:
-    return Camera(text, name)
+def _from_text(text: str, name: str, pose: list | None) -> Camera:
+    made = Camera(text, name)
+    return made if pose is None else made.placed(pose)
 
 
 def camera(camera: str | os.PathLike, /, name: str = "", **values: Value) -> Camera:
@@ -285,3 +317,31 @@ def camera(camera: str | os.PathLike, /, name: str = "", **values: Value) -> Cam
 def cameras(words: str = "") -> list[str]:
     """The names of the built-in cameras, or of those that words lead to, the best first."""
     return _balcony.search_cameras(words) if words else list(_balcony.built_in_cameras())
+
+
+def export_languages() -> dict[str, str]:
+    """The languages of `Camera.export`, and what each is."""
+    return dict(_balcony.export_languages())
+
+
+class Solution(NamedTuple):
+    """A camera that was found from what its picture is to show."""
+
+    camera: Camera
+    values: dict[str, float]
+    """By parameter; in radians if it is an angle."""
+    deviations: dict[str, float]
+    """Their standard deviations; infinite for what the marks do not determine."""
+    error: float | None
+    """The root mean square of what marks miss their positions by, in pixels."""
+
+
+def solve(camera: str | os.PathLike, marks: str | os.PathLike, *, starts: int = 1,
+          **values: str) -> Solution:
+    """Finds the parameters of a camera file or a built-in camera from a file of marks, as `balcony solve`
+    does; values are those at which the search begins, as texts."""
+    text, name, found, error = _balcony.solve(
+        os.fspath(camera), os.fspath(marks), [f"{name}={value}" for name, value in values.items()],
+        starts)
+    return Solution(Camera(text, name), {one[0]: one[1] for one in found},
+                    {one[0]: one[2] for one in found}, error)

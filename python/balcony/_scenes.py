@@ -14,8 +14,8 @@ from ._pictures import Picture
 
 
 class Scene:
-    """A scene that is loaded and lit. Options are those of `balcony render` that are about a scene and
-    its light: `balcony.load("room.glb", environment="sky.exr", lamp=["0,2,0"])`."""
+    """A scene that is loaded and lit. Options are those of `balcony render`, which its pictures then have
+    unless they say otherwise: `balcony.load("room.glb", environment="sky.exr", lamp=["0,2,0"])`."""
 
     __slots__ = ("_scene", "_file")
 
@@ -56,15 +56,13 @@ class Scene:
         `scene.render(cam, size=(960, 480), samples=64, denoise=True)`. `layers="default,motion"` adds
         layers. `progress` draws a bar, or calls a function with the part that is done.
         """
+        of_scene = ""
         if camera is not None and not isinstance(camera, Camera):
             name = os.fspath(camera)
-            if name.startswith("scene:"):
-                camera, options = None, {**options, "camera": name}
-            else:
-                camera = Camera(name)
+            camera, of_scene = (None, name) if name.startswith("scene:") else (Camera(name), "")
         tell = _draw_bar if progress is True else progress or None
         try:
-            made = _balcony.Scene.render(self._scene, camera and camera._camera, options, tell)
+            made = self._scene.render(camera and camera._camera, options, of_scene, tell)
         finally:
             if progress is True:
                 print(file=sys.stderr)
@@ -79,7 +77,7 @@ def _draw_bar(done: float) -> None:
 
 
 def load(file: str | os.PathLike, /, **options) -> Scene:
-    """A scene, loaded once for many pictures: glTF, OBJ, PLY or STL."""
+    """A scene, loaded once for many pictures: glTF, OBJ, PLY or STL. Options are as those of `Scene`."""
     return Scene(file, **options)
 
 
@@ -93,6 +91,5 @@ def render(scene: Scene | str | os.PathLike, camera: Camera | str | os.PathLike 
     """
     if isinstance(scene, Scene):
         return scene.render(camera, **options)
-    of_scene = {name: value for name, value in options.items()
-                if name != "progress"}
-    return Scene(scene, **of_scene).render(camera, **options)
+    progress = options.pop("progress", False)
+    return Scene(scene, **options).render(camera, progress=progress)

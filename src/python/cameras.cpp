@@ -3,12 +3,16 @@
 
 // Cameras and their parameters.
 
+#include <algorithm>
+
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
 #include "balcony/diagnose.hpp"
 #include "balcony/drawing.hpp"
+#include "balcony/poses.hpp"
 #include "balcony/studies.hpp"
+#include "python/arrays.hpp"
 #include "python/diagnostics.hpp"
 #include "python/objects.hpp"
 #include "python/running.hpp"
@@ -55,6 +59,42 @@ void set_values(const CameraPointer& camera, const py::dict& values) {
         ++camera->changes;
         return camera->camera.set(set, stop);
     }));
+}
+
+camera::Pose pose_in(const py::object& matrix, const std::string& axes, const std::string& world) {
+    const Rows rows = rows_of(matrix, "pose", {4});
+    if (rows.count != 3 && rows.count != 4) {
+        throw py::value_error("'pose' is no matrix of 3 x 4 or 4 x 4 numbers");
+    }
+    app::PoseMatrix made{};
+    for (std::size_t row = 0; row < 3; ++row) {
+        std::copy_n(rows.array.data() + 4 * row, 4, made[row].begin());
+    }
+    return take(app::pose_of(made, axes, *axes_of(py::str(world))));
+}
+
+CameraPointer placed(const CameraPointer& camera, const py::object& matrix, const std::string& axes,
+                     const std::string& world) {
+    const camera::Pose pose = pose_in(matrix, axes, world);
+    return std::make_shared<CameraObject>(locked(camera, [&](EditableCamera& own) {
+        EditableCamera made = own.copy();
+        made.set_pose(pose);
+        return made;
+    }));
+}
+
+// The rows of its matrix, in a world with z up; None without one.
+py::object pose_of(const CameraPointer& camera) {
+    const auto pose = locked(camera, [](EditableCamera& own) { return own.pose(); });
+    if (!pose) {
+        return py::none();
+    }
+    py::list rows;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto& [x, y, z] = pose->rotation[i];
+        rows.append(py::make_tuple(x, y, z, pose->position[i]));
+    }
+    return rows;
 }
 
 py::list parameters_of(const CameraPointer& camera) {
@@ -153,6 +193,8 @@ void define_cameras(py::module_& module) {
                  return std::make_shared<CameraObject>(
                      locked(camera, [](EditableCamera& own) { return own.copy(); }));
              })
+        .def("placed", &placed)
+        .def("pose", &pose_of)
         .def("set", &set_values)
         .def("parameters", &parameters_of)
         .def("name", [](const CameraPointer& camera) { return camera->camera.name(); })

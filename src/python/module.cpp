@@ -28,4 +28,5 @@ PYBIND11_MODULE(_balcony, module) {
     python::define_scenes(module);
     python::define_cameras(module);
     python::define_rays(module);
+    python::define_exports(module);
 }

@@ -4,6 +4,7 @@
 
 // What objects of Python hold. Work on other threads holds what it uses, and locks it.
 
+#include <array>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -21,11 +22,13 @@
 namespace balcony::python {
 
 struct SceneObject {
-    explicit SceneObject(app::PreparedScene made) : scene(std::move(made)) {}
+    SceneObject(app::PreparedScene made, app::Request with)
+        : scene(std::move(made)), request(std::move(with)) {}
 
     std::mutex mutex;
     app::PreparedScene scene;
-    std::size_t changes = 0;  // Of the scene, since it was loaded.
+    const app::Request request;  // By which it was loaded.
+    std::size_t changes = 0;     // Of the scene, since it was loaded.
 };
 using ScenePointer = std::shared_ptr<SceneObject>;
 
@@ -42,23 +45,29 @@ struct PictureQuery {
     bool operator==(const PictureQuery&) const = default;
 };
 
-/// The last thing that was made for a query, while nothing else has changed.
+/// The last thing that was made for a query, while nothing else has changed. It does not keep the
+/// scene.
 template <class Made>
 class Last {
 public:
     template <class Make>
     [[nodiscard]] Result<Made> get(const PictureQuery& query, std::size_t changes,
                                    const Make& make) {
-        const std::size_t of_scene = query.scene ? query.scene->changes : 0;
-        if (made_ && query == query_ && changes == changes_ && of_scene == of_scene_) {
+        const std::array versions{changes, query.scene ? query.scene->changes : 0};
+        PictureQuery alone = query;
+        alone.scene.reset();
+        const bool is_same = alone == query_ && versions == versions_ &&
+                             has_scene_ == (query.scene != nullptr) && scene_.lock() == query.scene;
+        if (made_ && is_same) {
             return *made_;
         }
         Result<Made> made = make();
         if (made) {
             made_ = *made;
-            query_ = query;
-            changes_ = changes;
-            of_scene_ = of_scene;
+            query_ = alone;
+            versions_ = versions;
+            has_scene_ = query.scene != nullptr;
+            scene_ = query.scene;
         }
         return made;
     }
@@ -66,8 +75,9 @@ public:
 private:
     std::optional<Made> made_{};
     PictureQuery query_{};
-    std::size_t changes_ = 0;
-    std::size_t of_scene_ = 0;
+    std::array<std::size_t, 2> versions_{};  // Of the camera and the scene.
+    bool has_scene_ = false;
+    std::weak_ptr<SceneObject> scene_{};
 };
 
 struct CameraObject {
@@ -86,6 +96,14 @@ struct CameraObject {
 };
 using CameraPointer = std::shared_ptr<CameraObject>;
 
+/// A query in words of Python. Raises ValueError.
+[[nodiscard]] PictureQuery query_of(const std::array<std::size_t, 2>& size,
+                                    const std::string& layer, const pybind11::object& axes,
+                                    double time, const ScenePointer& scene);
+/// The rays of a query. Locks the camera and the scene.
+[[nodiscard]] Result<bridge::RayGrid> grid_of(CameraObject& camera, const PictureQuery& query,
+                                              const std::stop_token& stop);
+
 /// Locks a camera and, if there is one, a scene.
 class Locked {
 public:
@@ -98,6 +116,7 @@ private:
 
 void define_cameras(pybind11::module_& module);
 void define_rays(pybind11::module_& module);
+void define_exports(pybind11::module_& module);
 void define_scenes(pybind11::module_& module);
 void define_films(pybind11::module_& module);
 

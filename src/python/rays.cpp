@@ -25,32 +25,6 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-// A query in words of Python: size, layer, axes, time, scene.
-PictureQuery query_of(const std::array<std::size_t, 2>& size, const std::string& layer,
-                      const py::object& axes, double time, const ScenePointer& scene) {
-    if (size[0] == 0 || size[1] == 0) {
-        throw py::value_error("a picture has at least one pixel in each direction");
-    }
-    PictureQuery query{size[0], size[1], layer, axes_of(axes), time, false, scene};
-    if (scene && !query.axes) {
-        query.axes = scene->scene.scene()->axes;
-    }
-    return query;
-}
-
-Result<bridge::RayGrid> grid_of(CameraObject& camera, const PictureQuery& query,
-                                const std::stop_token& stop) {
-    const Locked locked(camera, query.scene);
-    return camera.grid.get(query, camera.changes, [&]() -> Result<bridge::RayGrid> {
-        auto picture = camera.picture(query.scene, stop);
-        if (!picture) {
-            return std::move(picture.diagnostics);
-        }
-        return bridge::RayGrid::make(*picture, {query.width, query.height, query.layer, query.axes,
-                                                query.time, query.footprints});
-    });
-}
-
 Result<analyse::Locator> locator_of(CameraObject& camera, const PictureQuery& query,
                                     const std::stop_token& stop) {
     const Locked locked(camera, query.scene);
@@ -332,6 +306,31 @@ py::tuple jacobian(const CameraPointer& camera, const py::object& points,
 }
 
 }  // namespace
+
+PictureQuery query_of(const std::array<std::size_t, 2>& size, const std::string& layer,
+                      const py::object& axes, double time, const ScenePointer& scene) {
+    if (size[0] == 0 || size[1] == 0) {
+        throw py::value_error("a picture has at least one pixel in each direction");
+    }
+    PictureQuery query{size[0], size[1], layer, axes_of(axes), time, false, scene};
+    if (scene && !query.axes) {
+        query.axes = scene->scene.scene()->axes;
+    }
+    return query;
+}
+
+Result<bridge::RayGrid> grid_of(CameraObject& camera, const PictureQuery& query,
+                                const std::stop_token& stop) {
+    const Locked locked(camera, query.scene);
+    return camera.grid.get(query, camera.changes, [&]() -> Result<bridge::RayGrid> {
+        auto picture = camera.picture(query.scene, stop);
+        if (!picture) {
+            return std::move(picture.diagnostics);
+        }
+        return bridge::RayGrid::make(*picture, {query.width, query.height, query.layer, query.axes,
+                                                query.time, query.footprints});
+    });
+}
 
 void define_rays(py::module_& module) {
     module.def("rays", &rays_of, py::arg("camera"), py::arg("size"), py::arg("layer"),

@@ -22,17 +22,13 @@ namespace py = pybind11;
 
 namespace {
 
-app::Request request_of(const py::dict& options) {
-    app::Request request;
-    read_options(options, request);
-    return request;
-}
-
 ScenePointer load(const std::string& file, const py::dict& options) {
-    app::Request request = request_of(options);
+    app::Request request;
+    read_options(options, OptionUse::scene, request);
     request.scene = file;
-    return std::make_shared<SceneObject>(take(made_by(
-        [&](const std::stop_token& stop) { return app::PreparedScene::make(request, {}, stop); })));
+    auto made = take(made_by(
+        [&](const std::stop_token& stop) { return app::PreparedScene::make(request, {}, stop); }));
+    return std::make_shared<SceneObject>(std::move(made), std::move(request));
 }
 
 // How far a render is, told to a function of Python by the thread that called.
@@ -94,11 +90,14 @@ Rendered rendered(const ScenePointer& scene, const CameraPointer& camera,
     return made;
 }
 
-// The film, the exposure that was asked for, the names of the camera and of the view transform, and
+// `of_scene` is a camera of the scene, scene:NAME, that shows it without another one. Returns the
+// film, the exposure that was asked for, the names of the camera and of the view transform, and
 // whether a display shows it dithered.
 py::tuple render(const ScenePointer& scene, const CameraPointer& camera, const py::dict& options,
-                 const py::object& progress) {
-    const app::Request request = request_of(options);
+                 const std::string& of_scene, const py::object& progress) {
+    app::Request request = scene->request;
+    request.camera = of_scene;
+    read_options(options, OptionUse::picture, request);
     ToldProgress told(progress);
     const app::Observer observer = told.observer();
     const Rendered made = made_by(
@@ -145,7 +144,8 @@ void define_scenes(py::module_& module) {
              })
         .def("time", [](const SceneObject& scene) { return scene.scene.settings().time; })
         .def("set_time", &set_time)
-        .def("render", &render, py::arg("camera"), py::arg("options"), py::arg("progress"));
+        .def("render", &render, py::arg("camera"), py::arg("options"), py::arg("of_scene"),
+             py::arg("progress"));
 }
 
 }  // namespace balcony::python

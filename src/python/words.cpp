@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
+#include <string>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -113,6 +115,24 @@ Diagnostic unknown_option(const std::string& name, const app::Options<app::Reque
                  did_you_mean(name, names, "docs/command.md lists the options of balcony render"));
 }
 
+// Whether a scene is loaded by an option, and does not change afterwards.
+bool is_of_scene(const std::string& name) {
+    static const std::set<std::string> names = [] {
+        std::set<std::string> made{"--time", "--texture-memory", "--emission-scale"};
+        for (const auto& row : app::scene_options().rows) {
+            made.insert(row.name);
+        }
+        for (const auto& row : app::lamp_options().rows) {
+            made.insert(row.name);
+        }
+        for (const auto& row : app::shutter_options().rows) {
+            made.insert(row.name);
+        }
+        return made;
+    }();
+    return names.contains(name);
+}
+
 }  // namespace
 
 std::vector<lang::Override> values_of(
@@ -130,7 +150,7 @@ std::vector<lang::Override> values_of(
     return made;
 }
 
-void read_options(const py::dict& options, app::Request& request) {
+void read_options(const py::dict& options, OptionUse use, app::Request& request) {
     const app::Options<app::Request> known = app::request_options();
     app::GivenWords given;
     for (const auto& [key, value] : options) {
@@ -144,6 +164,10 @@ void read_options(const py::dict& options, app::Request& request) {
         }
         if (value.is_none()) {
             continue;
+        }
+        if (use == OptionUse::picture && is_of_scene(row->name)) {
+            tell({error(Kind::usage, fmt::format("'{}' is no option of a picture", name),
+                        "give it to load() or, if it is about the camera, to camera()")});
         }
         std::vector<std::string> words = words_of(*row, value);
         if (!words.empty()) {

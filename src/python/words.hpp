@@ -21,10 +21,14 @@ namespace balcony::python {
 [[nodiscard]] std::vector<lang::Override> values_of(
     const pybind11::dict& values, const std::vector<app::EditableCamera::Parameter>& parameters);
 
-/// A request with options of the command by their names, `no_dither` for --no-dither: texts are as
-/// the command has them, True gives a flag, a tuple has the numbers of a value, and a list has the
-/// values of an option that may be repeated. Raises what the rows of the options say.
-void read_options(const pybind11::dict& options, app::Request& request);
+/// What options are for: a scene that is loaded, or a picture of it.
+enum class OptionUse : bool { scene, picture };
+
+/// Adds options of the command to a request by their names, `no_dither` for --no-dither: texts are
+/// as the command has them, True gives a flag, a tuple has the numbers of a value, and a list has
+/// the values of an option that may be repeated. None gives nothing. Raises what the rows of the
+/// options say, and balcony.UsageError for options of a picture that only a scene can have.
+void read_options(const pybind11::dict& options, OptionUse use, app::Request& request);
 
 /// Axes by name, y_up or z_up; nothing for None. Raises ValueError.
 [[nodiscard]] std::optional<Axes> axes_of(const pybind11::object& name);

@@ -30,6 +30,13 @@ class PythonGuide(guide.GuideTest):
         self.assertAlmostEqual(float(found[1]), 2.9671, delta=1e-4)
         self.assertAlmostEqual(float(found[3]), 170 / 400, delta=1e-3)
 
+    def test_a_pose_is_that_of_the_matrix(self):
+        found = re.search(r"\((\S+), (\S+), (\S+)\)", self.output_of("python3 poses.py"))
+        # From (0, 1.5, 1), 30 degrees to the right of -z, to the wall at z = -2. The middle of pixel
+        # (160, 90) is half a pixel from that of the picture: 0.01 on the wall.
+        for number, wanted in zip(found.groups(), (3 * 0.57735, 1.5, -2)):
+            self.assertAlmostEqual(float(number), wanted, delta=0.02)
+
     def test_the_fitted_camera_is_the_original(self):
         found = re.search(r"fov (\S+), yaw (\S+), pitch (\S+), pz (\S+)",
                           self.output_of("python3 fit.py"))

@@ -5,16 +5,14 @@
 import copy
 import math
 import pickle
-import tempfile
 import unittest
 import warnings
-from pathlib import Path
 
 import balcony
-from scene_files import AIMED, ROOM
+from scene_files import AIMED, RoomTest
 
 
-class Cameras(unittest.TestCase):
+class Cameras(RoomTest):
     def test_a_built_in_camera_has_its_parameters(self):
         cam = balcony.camera("pinhole", fov="60deg")
         self.assertEqual(cam.name, "pinhole")
@@ -50,12 +48,11 @@ class Cameras(unittest.TestCase):
         self.assertIn("fov = 30deg from 1deg", cam.text)
         self.assertIn("// Looks around.", cam.text)
         self.assertTrue(str(cam).startswith("aimed\nLooks around.\n"))
-        with tempfile.TemporaryDirectory() as folder:
-            file = Path(folder) / "my.cam"
-            cam.save(file)
-            self.assertAlmostEqual(balcony.camera(file).fov, math.pi / 6, 15)
-            self.assertAlmostEqual(balcony.camera(f"{file}:aimed").fov, math.pi / 6, 15)
-            self.assertAlmostEqual(balcony.camera(file, "aimed", fov=1).fov, 1, 15)
+        file = self.folder / "my.cam"
+        cam.save(file)
+        self.assertAlmostEqual(balcony.camera(file).fov, math.pi / 6, 15)
+        self.assertAlmostEqual(balcony.camera(f"{file}:aimed").fov, math.pi / 6, 15)
+        self.assertAlmostEqual(balcony.camera(file, "aimed", fov=1).fov, 1, 15)
 
     def test_it_draws_itself(self):
         self.assertTrue(balcony.camera("fisheye")._repr_svg_().startswith("<svg"))
@@ -72,15 +69,12 @@ class Cameras(unittest.TestCase):
         x, y = missing.at
         self.assertFalse(balcony.camera("fisheye_orthographic").rays_at(
             [[x, y]], size=(165, 131)).valid[0])
-        with tempfile.TemporaryDirectory() as folder:
-            room = Path(folder, "room.obj")
-            room.write_text(ROOM)
-            scene = balcony.load(room)
-            names = [one.name for one in balcony.camera("pinhole", fov="20deg").check(scene)]
-            self.assertIn("never seen", names)
+        names = [one.name for one in
+                 balcony.camera("pinhole", fov="20deg").check(balcony.load(self.room))]
+        self.assertIn("never seen", names)
 
 
-class Errors(unittest.TestCase):
+class Errors(RoomTest):
     def test_they_have_a_place_and_a_remedy(self):
         with self.assertRaises(balcony.InputError) as caught:
             balcony.camera("camera a {\n  eye shpere(1)\n}")
@@ -120,25 +114,19 @@ class Errors(unittest.TestCase):
             balcony.camera("no/such/file.cam")
 
     def test_options_are_called_as_here(self):
-        with tempfile.TemporaryDirectory() as folder:
-            room = Path(folder, "room.obj")
-            room.write_text(ROOM)
-            with self.assertRaisesRegex(balcony.UsageError, "did you mean 'samples'"):
-                balcony.render(room, "pinhole", smaples=4)
-            with self.assertRaisesRegex(balcony.Error, r"\bsize") as caught:
-                balcony.render(room, "pinhole", size=(0, 4))
-            self.assertNotIn("--", str(caught.exception))
+        with self.assertRaisesRegex(balcony.UsageError, "did you mean 'samples'"):
+            balcony.render(self.room, "pinhole", smaples=4)
+        with self.assertRaisesRegex(balcony.Error, r"\bsize") as caught:
+            balcony.render(self.room, "pinhole", size=(0, 4))
+        self.assertNotIn("--", str(caught.exception))
 
     def test_errors_of_the_machine_are_errors_of_the_system(self):
-        with tempfile.TemporaryDirectory() as folder:
-            room = Path(folder, "room.obj")
-            room.write_text(ROOM)
-            picture = balcony.render(room, "pinhole", size=(8, 4), samples=1)
-            with self.assertRaises(balcony.Error) as caught:
-                picture.save(Path(folder, "no such folder", "a.png"))
-            self.assertIn("no such folder", str(caught.exception))
-            self.assertEqual(str(pickle.loads(pickle.dumps(caught.exception))),
-                             str(caught.exception))
+        picture = balcony.render(self.room, "pinhole", size=(8, 4), samples=1)
+        with self.assertRaises(balcony.MachineError) as caught:
+            picture.save("/dev/full/a.png")
+        self.assertIsInstance(caught.exception, OSError)
+        self.assertIn("/dev/full", str(caught.exception))
+        self.assertEqual(str(pickle.loads(pickle.dumps(caught.exception))), str(caught.exception))
 
     def test_warnings_are_warnings(self):
         with warnings.catch_warnings(record=True) as caught:

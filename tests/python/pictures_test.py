@@ -2,25 +2,20 @@
 # SPDX-License-Identifier: Apache-2.0
 """Scenes, pictures and their layers."""
 
-import tempfile
 import time
 import unittest
-from pathlib import Path
 
 import balcony
 import numpy as np
-from scene_files import ROOM
+from scene_files import RoomTest
 
 SIZE = (48, 32)
 
 
-class Pictures(unittest.TestCase):
+class Pictures(RoomTest):
     @classmethod
     def setUpClass(cls):
-        cls.folder = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(cls.folder.cleanup)
-        cls.room = Path(cls.folder.name, "room.obj")
-        cls.room.write_text(ROOM)
+        super().setUpClass()
         cls.scene = balcony.load(cls.room)
         cls.cam = balcony.camera("fisheye", fov="170deg")
 
@@ -69,10 +64,10 @@ class Pictures(unittest.TestCase):
         pixels = picture.pixels()
         self.assertEqual((pixels.shape, pixels.dtype), ((32, 48, 3), np.uint8))
         self.assertGreater(picture.pixels(exposure=picture.exposure + 1).mean(), pixels.mean())
-        file = Path(self.folder.name, "picture.png")
+        file = self.folder / "picture.png"
         picture.save(file)
         self.assertEqual(file.read_bytes(), picture._repr_png_())
-        layers = Path(self.folder.name, "picture.exr")
+        layers = self.folder / "picture.exr"
         picture.save(layers)
         self.assertIn(b"ray_length.Z", layers.read_bytes())
 
@@ -89,13 +84,25 @@ class Pictures(unittest.TestCase):
         with self.assertRaises(TypeError):
             self.picture(samples=object())
 
+    def test_pictures_have_the_options_of_their_scene(self):
+        bright = balcony.load(self.room, environment=8, samples=4, size=SIZE)
+        dark = bright.render(self.cam, environment=4)
+        np.testing.assert_array_equal(
+            bright.render(self.cam)["color"],
+            balcony.render(self.room, self.cam, environment=8, samples=4, size=SIZE)["color"])
+        self.assertEqual((dark.width, dark.height), SIZE)
+        for option in ({"time": 1}, {"set": ["fov=1rad"]}, {"lamp": ["0,1,0"]}, {"fit": True},
+                       {"shutter": 1}):
+            with self.assertRaisesRegex(balcony.UsageError, "no option of a picture"):
+                bright.render(self.cam, **option)
+
     def test_one_call_renders_a_file(self):
         picture = balcony.render(self.room, "fisheye", size=SIZE, samples=4)
         again = balcony.render(self.scene, balcony.camera("fisheye"), size=SIZE, samples=4)
         np.testing.assert_array_equal(picture["color"], again["color"])
         self.assertEqual(balcony.render(self.room, size=SIZE, samples=1).camera, "default view")
         with self.assertRaises(balcony.InputError):
-            balcony.render(Path(self.folder.name, "no.glb"), "fisheye")
+            balcony.render(self.folder / "no.glb", "fisheye")
         with self.assertRaises(balcony.InputError):
             self.scene.render("scene:none", size=SIZE)
 

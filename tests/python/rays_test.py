@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Rays, their inverse and their derivatives."""
 
+import pickle
 import unittest
 
 import balcony
@@ -99,6 +100,49 @@ class Rays(unittest.TestCase):
         for points in (at, at.astype(np.float32), at[::-1][::-1], np.asfortranarray(at),
                        at.astype(">i4"), wide[:, 2:6:3], at.tolist()):
             np.testing.assert_array_equal(cam.rays_at(points, size=SIZE).directions, wanted)
+
+
+class Places(unittest.TestCase):
+    # It stands at (5, 6, 7) and looks along y.
+    PLACES = {"balcony": [[0, -1, 0, 5], [1, 0, 0, 6], [0, 0, 1, 7]],
+              "opencv": [[1, 0, 0, 5], [0, 0, 1, 6], [0, -1, 0, 7]],
+              "opengl": [[1, 0, 0, 5], [0, 0, -1, 6], [0, 1, 0, 7], [0, 0, 0, 1]]}
+
+    def test_a_matrix_in_any_axes_places_a_camera(self):
+        cam = balcony.camera("pinhole", fov="90deg")
+        for axes, pose in self.PLACES.items():
+            rays = cam.placed(pose, axes).rays(65, 65)
+            np.testing.assert_allclose(rays.origins[32, 32], [5, 6, 7], atol=1e-15)
+            np.testing.assert_allclose(rays.directions[32, 32], [0, 1, 0], atol=1e-15)
+            self.assertGreater(rays.directions[32, 64, 0], 0.5)  # To the right is x.
+            self.assertGreater(rays.directions[0, 32, 2], 0.5)
+            again = pickle.loads(pickle.dumps(cam.placed(pose, axes, world="y_up")))
+            np.testing.assert_array_equal(again.rays(65, 65).directions,
+                                          cam.placed(pose, axes, world="y_up").rays(65, 65).directions)
+        np.testing.assert_array_equal(cam.rays(65, 65).origins[0, 0], [0, 0, 0])
+
+    def test_the_world_of_the_matrix_may_have_y_up(self):
+        # In a world with y up, it looks along -z and stands at (5, 7, -6).
+        pose = [[1, 0, 0, 5], [0, -1, 0, 7], [0, 0, -1, -6]]
+        cam = balcony.camera("pinhole").placed(pose, "opencv", world="y_up")
+        rays = cam.rays(65, 65, axes="y_up")
+        np.testing.assert_allclose(rays.origins[32, 32], [5, 7, -6], atol=1e-15)
+        np.testing.assert_allclose(rays.directions[32, 32], [0, 0, -1], atol=1e-15)
+        same = balcony.camera("pinhole").placed(self.PLACES["opencv"], "opencv").rays(65, 65)
+        np.testing.assert_allclose(cam.rays(65, 65).directions, same.directions, atol=1e-15)
+        seen = cam.project([[5, 7, -9]], size=(65, 65), axes="y_up")
+        np.testing.assert_allclose(seen, [[32.5, 32.5]], atol=1e-9)
+
+    def test_what_is_no_place(self):
+        cam = balcony.camera("pinhole")
+        for pose in (np.eye(3), np.eye(4)[:2], [1, 2, 3, 4]):
+            with self.assertRaises(ValueError):
+                cam.placed(pose)
+        for pose in (2 * np.eye(4), np.diag([1, 1, -1, 1]), np.full((4, 4), np.nan)):
+            with self.assertRaisesRegex(balcony.UsageError, "rotation"):
+                cam.placed(pose)
+        with self.assertRaisesRegex(balcony.UsageError, "did you mean 'opencv'"):
+            cam.placed(np.eye(4), "opencb")
 
 
 class Inverse(unittest.TestCase):

@@ -2,32 +2,23 @@
 # SPDX-License-Identifier: Apache-2.0
 """Threads, signals, processes, memory and the end of the interpreter."""
 
-import os
 import resource
 import signal
 import subprocess
 import sys
-import tempfile
 import threading
 import time
 import unittest
-from pathlib import Path
+import weakref
 
 import balcony
 import numpy as np
-from scene_files import AIMED, ROOM
+from scene_files import AIMED, RoomTest
 
 PROLOGUE = "import balcony, os, signal, sys, threading, time\n"
 
 
-class Running(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.folder = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(cls.folder.cleanup)
-        cls.room = Path(cls.folder.name, "room.obj")
-        cls.room.write_text(ROOM)
-
+class Running(RoomTest):
     def script(self, text):
         """Another interpreter that runs a text; `room` is the file of a scene."""
         return subprocess.Popen([sys.executable, "-B", "-c", f"room = {str(self.room)!r}\n{PROLOGUE}{text}"],
@@ -117,6 +108,16 @@ class Running(unittest.TestCase):
                        "                 daemon=True).start()\n"
                        "time.sleep(0.5)\n")
         self.assertLess(time.monotonic() - began, 100)
+
+    def test_a_camera_does_not_keep_a_scene(self):
+        cam = balcony.camera("fisheye")
+        scene = balcony.load(self.room)
+        alive = weakref.ref(scene._scene)
+        of_scene = cam.rays(8, 8, scene=scene, axes="z_up").origins
+        del scene
+        self.assertIsNone(alive())
+        # Nor what it was asked with it: without one, it is not placed.
+        self.assertFalse(np.array_equal(cam.rays(8, 8, axes="z_up").origins, of_scene))
 
     def test_what_is_let_go_is_freed(self):
         scene = balcony.load(self.room)

@@ -2,6 +2,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Files of tests."""
 
+import tempfile
+import unittest
+from pathlib import Path
+
 # A room of 6 x 2.5 x 4 with y up, its middle at the origin of x and z.
 ROOM = """
 v -3 0 2
@@ -34,3 +38,15 @@ camera aimed(yaw = 0deg, fov = 90deg from 1deg to 170deg, spot = (0, 0, 0)) {
     move rotate(z, yaw), translate(spot)
 }
 """
+
+
+class RoomTest(unittest.TestCase):
+    """Has a folder, and the file of the room in it."""
+
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = Path(folder.name)
+        cls.room = cls.folder / "room.obj"
+        cls.room.write_text(ROOM)
