@@ -34,10 +34,10 @@ auto locked(const CameraPointer& camera, const Get& get) {
     return get(camera->camera);
 }
 
-// A text of cameras has a brace; names and files have none.
+// A text of cameras has a brace or several lines; names and files have none.
 CameraPointer make_camera(const std::string& camera, const std::string& name,
                           const std::string& folder) {
-    const bool is_text = camera.find('{') != std::string::npos;
+    const bool is_text = camera.find_first_of("{\n") != std::string::npos;
     auto made = made_by([&](const std::stop_token& stop) {
         return is_text ? EditableCamera::make(
                              {std::make_shared<const SourceText>("text", camera), folder}, name, {},
