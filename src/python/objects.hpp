@@ -23,9 +23,19 @@ namespace balcony::python {
 
 struct SceneObject {
     SceneObject(app::PreparedScene made, app::Request with)
-        : scene(std::move(made)), request(std::move(with)) {}
+        : axes(made.scene()->axes), scene(std::move(made)), request(std::move(with)) {}
+
+    /// What get(scene) makes, while no other thread uses the scene. With the lock of Python, which
+    /// is released meanwhile.
+    template <class Get>
+    [[nodiscard]] auto locked(const Get& get) {
+        const pybind11::gil_scoped_release released;
+        const std::lock_guard lock(mutex);
+        return get(std::as_const(scene));
+    }
 
     std::mutex mutex;
+    const Axes axes;
     app::PreparedScene scene;
     const app::Request request;  // By which it was loaded.
     std::size_t changes = 0;     // Of the scene, since it was loaded.

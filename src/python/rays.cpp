@@ -314,7 +314,7 @@ PictureQuery query_of(const std::array<std::size_t, 2>& size, const std::string&
     }
     PictureQuery query{size[0], size[1], layer, axes_of(axes), time, false, scene};
     if (scene && !query.axes) {
-        query.axes = scene->scene.scene()->axes;
+        query.axes = scene->axes;
     }
     return query;
 }

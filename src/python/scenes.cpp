@@ -134,15 +134,22 @@ std::vector<std::string> names_of(const Things& things) {
 void define_scenes(py::module_& module) {
     py::class_<SceneObject, ScenePointer>(module, "Scene")
         .def(py::init(&load), py::arg("file"), py::arg("options"))
-        .def("objects",
-             [](const SceneObject& scene) { return names_of(scene.scene.scene()->objects); })
-        .def("cameras",
-             [](const SceneObject& scene) { return names_of(scene.scene.scene()->cameras); })
+        .def(
+            "objects",
+            [](SceneObject& scene) {
+                return scene.locked([](const auto& own) { return names_of(own.scene()->objects); });
+            })
+        .def(
+            "cameras",
+            [](SceneObject& scene) {
+                return scene.locked([](const auto& own) { return names_of(own.scene()->cameras); });
+            })
         .def("axes",
-             [](const SceneObject& scene) {
-                 return scene.scene.scene()->axes == Axes::y_up ? "y_up" : "z_up";
+             [](const SceneObject& scene) { return scene.axes == Axes::y_up ? "y_up" : "z_up"; })
+        .def("time",
+             [](SceneObject& scene) {
+                 return scene.locked([](const auto& own) { return own.settings().time; });
              })
-        .def("time", [](const SceneObject& scene) { return scene.scene.settings().time; })
         .def("set_time", &set_time)
         .def("render", &render, py::arg("camera"), py::arg("options"), py::arg("of_scene"),
              py::arg("progress"));
