@@ -99,7 +99,7 @@ TEST(ParameterEdits, KeysThatAreNotWrittenOutStay) {
     }
     // Nor calls with mistakes.
     for (const char* x : {"keys()", "keys([])", "keys(ease = smooth)", "keys(1, 2)",
-                          "keys(((0, 1)))", "keys((0, 3), (2, 5), at = )"}) {
+                          "keys((0, 3), (2, 5), at = )"}) {
         const EditedText text = text_of(x_is(x));
         EXPECT_TRUE(text.keys("a").empty()) << x;
         EXPECT_FALSE(text.with_values("a", {{"x", 7.0, 0.01}}, {.time = 1.0})) << x;
