@@ -8,6 +8,7 @@
 #include <exception>
 #include <list>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 #include <pybind11/pybind11.h>
@@ -29,7 +30,9 @@ struct Running {
     std::mutex mutex;
     std::condition_variable ended;
     std::list<std::stop_source> works;
-    pid_t process = 0;  // In which the first one ran.
+    std::size_t returning = 0;              // Threads that are about to take the lock of Python.
+    std::optional<std::thread::id> last{};  // The only one that may take it from now on.
+    pid_t process = 0;                      // In which the first one ran.
 };
 Running& running() {
     static auto* const all = new Running;
@@ -94,6 +97,24 @@ private:
     std::thread thread_;
 };
 
+// Waits without the lock of Python. When the interpreter ends, a thread that takes its lock is
+// ended in the middle of C++, which ends the process: such a thread waits for that end instead.
+bool wait_unlocked(Work& work) {
+    Running& all = running();
+    bool has_ended = false;
+    {
+        const py::gil_scoped_release released;
+        has_ended = work.wait(patience);
+        std::unique_lock lock(all.mutex);
+        all.ended.wait(lock, [&] { return !all.last || *all.last == std::this_thread::get_id(); });
+        ++all.returning;
+    }
+    const std::lock_guard lock(all.mutex);
+    --all.returning;
+    all.ended.notify_all();
+    return has_ended;
+}
+
 // The exception that is to be raised after the work, if one came meanwhile.
 std::exception_ptr trouble_of(const std::function<void()>& meanwhile) {
     try {
@@ -121,16 +142,11 @@ void run(const std::function<void(const std::stop_token&)>& work,
     std::exception_ptr trouble;
     {
         Work one(work);
-        const auto wait = [&](std::chrono::milliseconds longest) {
-            const py::gil_scoped_release released;
-            return one.wait(longest);
-        };
-        while (!wait(patience)) {
+        while (!wait_unlocked(one)) {
             if (!trouble && (trouble = trouble_of(meanwhile))) {
                 one.stop();
             }
         }
-        const py::gil_scoped_release released;
         one.rethrow();
     }
     if (trouble) {
@@ -148,7 +164,8 @@ void stop_all() {
     for (std::stop_source& one : all.works) {
         one.request_stop();
     }
-    all.ended.wait(lock, [&] { return all.works.empty(); });
+    all.last = std::this_thread::get_id();
+    all.ended.wait(lock, [&] { return all.works.empty() && all.returning == 0; });
 }
 
 }  // namespace balcony::python
