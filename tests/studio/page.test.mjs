@@ -6,7 +6,8 @@
 import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";
 import { test } from "node:test";
-import { cameraFile, Page, Server, serverOf, text } from "./harness.mjs";
+import { cameraFile, Page, plateCamera, Server, serverOf, text } from "./harness.mjs";
+import { othersShare } from "./processor.mjs";
 
 const studio = serverOf(text);
 const open = (options) => studio.open(options);
@@ -252,4 +253,37 @@ test("everything has a name, and fits desks and tablets in both colours", async 
             await page.close();
         }
     }
+});
+
+// The goal is 50 ms with two cores for the studio. Of a core that other programs have a share s of, the studio gets
+// 1 - s, so that its times are 1/(1 - s) as long. Nothing makes a run quicker than the studio is: the best of three
+// runs is its own time. Runs in which others have more than a quarter of the machine tell nothing, since the order in
+// which programs have their turns then counts more than their shares.
+test("the picture of plate 2's camera follows a hand within 50 ms", async (context) => {
+    const page = await open();
+    await page.replace(plateCamera);
+    await page.tab.evaluate(() => document.querySelector("balcony-studio").resize("960x540"));
+    await page.until(({ session }) => session.shown.width === 960 && session.shown.height === 540);
+    const medians = [];
+    for (let run = 0; run < 8 && medians.length < 3 && !medians.some((median) => median <= 50); ++run) {
+        await page.untilFollowed();
+        await page.tab.evaluate(() => document.querySelector("balcony-studio").session.latency.measured.splice(0));
+        const shareOfOthers = othersShare();
+        await page.drag("gamma", run % 2 === 0 ? 0.1 : 0.9, run % 2 === 0 ? 0.9 : 0.1, 60, 16);
+        await page.until(({ session }) => session.latency.measured.length >= 30);
+        const share = shareOfOthers();
+        const measured = await page.tab.evaluate(
+            () => document.querySelector("balcony-studio").session.latency.measured,
+        );
+        await page.tab.mouse.up();
+        const sorted = [...measured].sort((a, b) => a - b);
+        const part = (p) => Math.round(sorted[Math.floor(p * (sorted.length - 1))]);
+        console.log(
+            `from the hand to the picture: median ${part(0.5)} ms, 90%: ${part(0.9)} ms, of ${sorted.length}; ` +
+                `others have ${Math.round(100 * share)}% of the machine`,
+        );
+        if (share <= 0.25) medians.push(part(0.5) * (1 - share));
+    }
+    if (medians.length === 0) context.skip("other programs have more than a quarter of the machine");
+    else assert.ok(Math.min(...medians) <= 50, medians.join(", "));
 });

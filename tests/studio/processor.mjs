@@ -6,9 +6,9 @@
 import { readdirSync, readFileSync } from "node:fs";
 import { availableParallelism } from "node:os";
 
-/** Ticks of all programs, of other machines on the same processors, and of this process and all that it has started. */
+/** Ticks of all programs, and those of this process and all that it has started. */
 function ticks() {
-    const [user, nice, system, , , interrupt, soft, steal] = readFileSync("/proc/stat", "utf8")
+    const [user, nice, system, , , interrupt, soft] = readFileSync("/proc/stat", "utf8")
         .split("\n", 1)[0]
         .split(/\s+/)
         .slice(1)
@@ -25,7 +25,7 @@ function ticks() {
     const isOwn = (id) => id === process.pid || (processes.has(id) && isOwn(processes.get(id).parent));
     let own = 0;
     for (const [id, { time }] of processes) own += isOwn(id) ? time : 0;
-    return { at: performance.now(), all: user + nice + system + interrupt + soft + steal, own };
+    return { at: performance.now(), all: user + nice + system + interrupt + soft, own };
 }
 
 /** Begins a measurement. Its end tells the share of all processors that other programs had, from 0 to 1. */
@@ -37,19 +37,4 @@ export function othersShare() {
         // A tick is a hundredth of a second.
         return Math.max(0, (others * 10) / ((end.at - begin.at) * availableParallelism()));
     };
-}
-
-/**
- * How many times as long as on a core of 2.5 GHz a program takes here, and never less than 1: a machine
- * that shares its cores with others unseen is slower at some times than at others. A step of the loop
- * waits for the one before it, for the three cycles of a product and the one of a sum.
- */
-export function slowness() {
-    const steps = 5e7;
-    const nominal = (steps * 4) / 2.5e9;
-    const before = process.cpuUsage();
-    let number = 1;
-    for (let i = 0; i < steps; ++i) number = (Math.imul(number, 1664525) + 1013904223) | 0;
-    const { user, system } = process.cpuUsage(before);
-    return Math.max(1, number === 0 ? 1 : (user + system) / 1e6 / nominal);
 }

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs the tests of the studio's page, which are programs of Node.js.
 
-Usage: studio_test.py types|parts|handles|inspection|latency|page|picture|render|viewer|wall REPOSITORY BALCONY BUILD_SCENE
+Usage: studio_test.py types|parts|handles|inspection|page|picture|render|viewer|wall REPOSITORY BALCONY BUILD_SCENE
 """
 
 import os
