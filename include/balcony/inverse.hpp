@@ -42,6 +42,11 @@ struct Sighting {
     std::vector<V3d> turns{};
 };
 
+/// Of each of some points, the sighting in the front layer that has one, the nearest of these; null
+/// if there is none.
+[[nodiscard]] std::vector<const Sighting*> foremost(std::span<const Sighting> sightings,
+                                                    std::size_t points);
+
 /// Finds points in a picture, or in that of a single camera, of one size, at one time. Immutable,
 /// may be shared by threads, cheap to copy.
 ///

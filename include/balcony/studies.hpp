@@ -139,7 +139,11 @@ struct CheckObserver {
 /// Checks files and their cameras. Errors of Kind::usage come before anything is checked.
 [[nodiscard]] CheckReport check(const CheckRequest& request, const CheckObserver& observer = {},
                                 const std::stop_token& stop = {});
-/// Checks the cameras of a picture of a size in pixels in a scene, at the time of its settings.
+/// Checks the cameras of a picture of a size in pixels. Nothing is known about objects.
+[[nodiscard]] Result<std::vector<CameraCheck>> check(const camera::Picture& picture,
+                                                     const std::array<std::size_t, 2>& size,
+                                                     const std::stop_token& stop = {});
+/// The same in a scene, at the time of its settings.
 [[nodiscard]] Result<std::vector<CameraCheck>> check(const camera::Picture& picture,
                                                      const PreparedScene& scene,
                                                      const std::array<std::size_t, 2>& size,
@@ -180,6 +184,9 @@ struct Located {
 
 [[nodiscard]] Result<Located> locate(const LocateRequest& request,
                                      const std::stop_token& stop = {});
+
+/// The warning that not all places were searched at which a picture may show some points, so many.
+[[nodiscard]] Diagnostic searched_in_part(std::size_t points);
 
 /// A picture, with its scene, that is asked for points in batches. One thread at a time.
 class LocateSession {

@@ -68,6 +68,19 @@ void expect_at(const Sighting& sighting, const V2d& place) {
 
 }  // namespace
 
+TEST(Sightings, ForemostAreThoseOfTheFrontLayerAndTheNearest) {
+    const auto seen = [](std::size_t point, std::size_t layer, double distance) {
+        return Sighting{.point = point,
+                        .layer = layer,
+                        .position = {},
+                        .origin = V3d(0.0),
+                        .distance = distance};
+    };
+    const std::vector<Sighting> all{seen(0, 1, 5.0), seen(0, 2, 7.0), seen(0, 2, 6.0),
+                                    seen(2, 0, 1.0), seen(2, 0, 2.0)};
+    EXPECT_EQ(foremost(all, 4), (std::vector<const Sighting*>{&all[2], nullptr, &all[3], nullptr}));
+}
+
 TEST(InverseLaw, HoldsForEveryBuiltInCamera) {
     constexpr std::size_t count = 10'000;
     // At the rim of these discs, the angle changes without bound, or all that is behind it is seen.

@@ -101,6 +101,18 @@ TEST_F(StudiesTest, APictureIsCheckedAsItsFile) {
               Kind::interrupted);
 }
 
+TEST_F(StudiesTest, APictureIsCheckedWithoutAScene) {
+    const std::string cameras = file("two.cam", folded);
+    const CheckReport wanted =
+        check({.files = {cameras + ":folded"}, .size = {.width = 64, .height = 48}});
+    const auto made = check(*load_picture(cameras + ":folded", {}), {64, 48});
+    ASSERT_TRUE(made) << to_text(made.diagnostics);
+    ASSERT_EQ(made->size(), 1U);
+    EXPECT_FALSE(made->front().in_scene);
+    EXPECT_GT(made->front().defect_count(), 0U);
+    EXPECT_EQ(made->front().defect_count(), wanted.files.at(0).checks.at(0).defect_count());
+}
+
 TEST_F(StudiesTest, WhatCannotBeAskedIsUsageAndNothingIsRead) {
     const std::string map = file("map.png");
     const CheckReport report =

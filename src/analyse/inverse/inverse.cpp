@@ -263,6 +263,18 @@ void remove_hidden(const rays::VisibleLayers& layers, double time, std::vector<S
 
 }  // namespace
 
+std::vector<const Sighting*> foremost(std::span<const Sighting> sightings, std::size_t points) {
+    std::vector<const Sighting*> chosen(points, nullptr);
+    for (const Sighting& one : sightings) {
+        const Sighting*& best = chosen[one.point];
+        if (best == nullptr || one.layer > best->layer ||
+            (one.layer == best->layer && one.distance < best->distance)) {
+            best = &one;
+        }
+    }
+    return chosen;
+}
+
 class Locator::Index {
 public:
     Index(rays::VisibleLayers visible, const V2d& picture, double time, const Work& work)

@@ -167,9 +167,11 @@ public:
     }
 
     Result<std::vector<CameraCheck>> operator()(const camera::Picture& picture,
-                                                const PreparedScene& scene) {
-        scene_ = scene.scene();
-        renderer_ = scene.renderer();
+                                                const PreparedScene* scene) {
+        if (scene != nullptr) {
+            scene_ = scene->scene();
+            renderer_ = scene->renderer();
+        }
         FileCheck file;
         for (const CheckSubject& subject : check_subjects(picture, request_)) {
             if (is_fine()) {
@@ -408,14 +410,21 @@ CheckReport check(const CheckRequest& request, const CheckObserver& observer,
     return Check(request, observer, stop)();
 }
 
+Result<std::vector<CameraCheck>> check(const camera::Picture& picture,
+                                       const std::array<std::size_t, 2>& size,
+                                       const std::stop_token& stop) {
+    CheckRequest request;
+    request.size = {.width = size[0], .height = size[1]};
+    return Check(request, {}, stop)(picture, nullptr);
+}
+
 Result<std::vector<CameraCheck>> check(const camera::Picture& picture, const PreparedScene& scene,
                                        const std::array<std::size_t, 2>& size,
                                        const std::stop_token& stop) {
     CheckRequest request;
     request.size = {.width = size[0], .height = size[1]};
     request.time = scene.settings().time;
-    const CheckObserver nobody;
-    return Check(request, nobody, stop)(picture, scene);
+    return Check(request, {}, stop)(picture, &scene);
 }
 
 }  // namespace balcony::app

@@ -130,6 +130,12 @@ struct LocateSession::State {
         const std::optional<Axes>& axes, double time, const std::stop_token& stop);
 };
 
+Diagnostic searched_in_part(std::size_t points) {
+    return warning(fmt::format(
+        "so many parts of the picture may see {} that not all of these parts were searched",
+        counted(points, "point")));
+}
+
 LocateSession::LocateSession(std::unique_ptr<State> state) : state_(std::move(state)) {}
 LocateSession::LocateSession(LocateSession&&) noexcept = default;
 LocateSession& LocateSession::operator=(LocateSession&&) noexcept = default;
@@ -253,10 +259,7 @@ Diagnostics LocateSession::finish(const std::stop_token& stop) const {
     const State& state = *state_;
     Diagnostics diagnostics;
     if (state.searched_in_part > 0) {
-        diagnostics.push_back(
-            warning(fmt::format("so many parts of the picture may see {} that not all "
-                                "of these parts were searched",
-                                counted(state.searched_in_part, "point"))));
+        diagnostics.push_back(searched_in_part(state.searched_in_part));
     }
     if (!state.any_seen && !state.only_points.empty()) {
         add(diagnostics, explain_unseen({state.picture, static_cast<double>(state.found.width),
