@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "balcony/layer_values.hpp"
 #include "balcony/picture.hpp"
 #include "film/sums/cryptomatte.hpp"
 #include "film/sums/layer_rows.hpp"
@@ -100,6 +101,34 @@ TEST(LayerTable, AFilmHasExactlyTheLayersAskedFor) {
     EXPECT_EQ(film.means.direct.size(), 20U) << "from which indirect light is computed";
     EXPECT_TRUE(film.means.albedo.empty());
     EXPECT_FALSE(make_film({.width = 5, .height = 4, .data_layers = false})->layers);
+}
+
+TEST(LayerValues, AreThoseOfTheWindowRowByRow) {
+    Film film = *make_film({.width = 9,
+                            .height = 7,
+                            .window = Region{2, 3, 5, 4},
+                            .layers = {LayerId::crypto_object}});
+    for (std::size_t i = 0; i < 20; ++i) {
+        film.layers->normal[i] = V3f(static_cast<float>(i), 0.5F, -1.0F);
+        film.sum[i] = Color4d(3.0 * static_cast<double>(i), 0.0, 6.0, 3.0);
+    }
+    std::fill(film.passes.begin(), film.passes.end(), 3U);
+    const auto normals = layer_values(film, LayerId::normal);
+    ASSERT_TRUE(normals);
+    ASSERT_EQ(normals->channels, 3U);
+    ASSERT_EQ(normals->values.size(), 60U);
+    const LayerValues color = color_values(film);
+    ASSERT_EQ(color.channels, 4U);
+    for (std::size_t i = 0; i < 20; ++i) {
+        EXPECT_EQ(normals->values[3 * i], static_cast<float>(i));
+        EXPECT_EQ(normals->values[3 * i + 2], -1.0F);
+        EXPECT_EQ(color.values[4 * i], static_cast<float>(i));
+        EXPECT_EQ(color.values[4 * i + 2], 2.0F);
+    }
+    const std::size_t levels = layers()[static_cast<std::size_t>(LayerId::crypto_object)].levels;
+    EXPECT_EQ(layer_values(film, LayerId::crypto_object)->channels, 4 * levels);
+    const auto none = layer_values(film, LayerId::motion);
+    EXPECT_EQ(kind_of_errors(none.diagnostics), Kind::usage);
 }
 
 // ------------------------------------------------------------------------------------- light
