@@ -5,13 +5,10 @@
 // Editable camera: a camera of a file or a text with the values that a program gives its
 // parameters.
 
-#include <cstddef>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <stop_token>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "balcony/base.hpp"

@@ -36,6 +36,8 @@ struct RaySettings {
     std::optional<Axes> axes{};  ///< By default those of the camera.
     double time = 0.0;           ///< The value of t in the camera's formulas.
     bool footprints = false;     ///< Include the derivatives by picture x and y.
+
+    bool operator==(const RaySettings&) const = default;
 };
 
 /// The rays of one camera through the pixel centres of a picture. Of a layer, those where it covers

@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 import os
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple, Union
 
 from . import _balcony
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
     from ._scenes import Scene
 
-Value = "float | int | str | tuple | list"
+Value = Union[float, int, str, tuple, list]
 """Of a parameter: a number, in radians if it is an angle, an expression of the camera language, or a
 tuple or a list of these."""
 
@@ -181,8 +181,8 @@ class Camera:
         for one in self._camera.parameters():
             if one[0] == name:
                 return one[2] if one[1] is None else one[1]
-        raise AttributeError(f"the camera '{self.name}' has no parameter '{name}': "
-                             f"it has {', '.join(self.parameters) or 'none'}")
+        hint = _balcony.suggestion(name, list(self.parameters), "its parameters are")
+        raise AttributeError(f"the camera '{self.name}' has no parameter '{name}': {hint}")
 
     def __setattr__(self, name: str, value: Value):
         if name.startswith("_") or hasattr(type(self), name):

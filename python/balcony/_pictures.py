@@ -8,6 +8,8 @@ import os
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
+from . import _balcony
+
 if TYPE_CHECKING:
     import numpy as np
 
@@ -23,32 +25,30 @@ class Picture(Mapping):
     `about` says what the others are. Numbers of objects are indices into `objects` plus 1; 0 is none.
     """
 
-    def __init__(self, film, exposure: float | None, camera: str, view: str, dither: bool):
-        self._film, self._camera = film, camera
-        self._exposure = film.exposure() if exposure is None else exposure
-        self._view, self._dither = view, dither
+    def __init__(self, picture):
+        self._picture = picture
         self._about = {"color": "linear light: red, green and blue, multiplied by alpha, and alpha",
-                       **dict(film.layers())}
+                       **dict(picture.layers())}
         self._arrays: dict[str, np.ndarray] = {}
 
     @property
     def width(self) -> int:
         """In pixels."""
-        return self._film.size()[0]
+        return self._picture.size()[0]
 
     @property
     def height(self) -> int:
-        return self._film.size()[1]
+        return self._picture.size()[1]
 
     @property
     def camera(self) -> str:
         """The name of the camera."""
-        return self._camera
+        return self._picture.camera
 
     @property
     def exposure(self) -> float:
         """In stops: how a display shows the light. It suits the picture, unless it was asked for."""
-        return self._exposure
+        return self._picture.exposure()
 
     @property
     def about(self) -> dict[str, str]:
@@ -58,23 +58,20 @@ class Picture(Mapping):
     @property
     def objects(self) -> list[str]:
         """The names of the objects of the layer "object"."""
-        return self._film.objects
+        return self._picture.objects()
 
     @property
     def materials(self) -> list[str]:
-        return self._film.materials
+        return self._picture.materials()
 
     def __getitem__(self, name: str) -> np.ndarray:
         name = _OTHER_NAMES.get(name, name)
         if name not in self._about:
-            import difflib  # It takes 10 ms to import, which most programs do not need.
-
-            near = difflib.get_close_matches(str(name), self._about, 1)
-            hint = f"did you mean '{near[0]}'?" if near else f"it has {', '.join(self._about)}"
+            hint = _balcony.suggestion(str(name), list(self), "the layers are")
             raise KeyError(f"the picture has no layer '{name}': {hint}")
         if name not in self._arrays:
-            self._arrays[name] = (self._film.color() if name == "color"
-                                  else self._film.layer(name))
+            self._arrays[name] = (self._picture.color() if name == "color"
+                                  else self._picture.layer(name))
         return self._arrays[name]
 
     def __iter__(self) -> Iterator[str]:
@@ -85,18 +82,15 @@ class Picture(Mapping):
 
     def pixels(self, exposure: float | None = None) -> np.ndarray:
         """(height, width, 3), uint8: sRGB, as a display shows the picture."""
-        return self._film.pixels(*self._shown(exposure))
+        return self._picture.pixels(exposure)
 
     def save(self, file: str | os.PathLike, exposure: float | None = None) -> None:
         """Writes a file by its extension: .exr has all layers, .png, .jpg, .webp and .tif what a display
         shows."""
-        self._film.write(os.fspath(file), *self._shown(exposure))
-
-    def _shown(self, exposure):
-        return self._exposure if exposure is None else exposure, self._view, self._dither
+        self._picture.save(os.fspath(file), exposure)
 
     def __repr__(self):
         return f"<balcony.Picture {self.camera}, {self.width} x {self.height}: {', '.join(self)}>"
 
     def _repr_png_(self) -> bytes:
-        return self._film.png(*self._shown(None))
+        return self._picture.png()

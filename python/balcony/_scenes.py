@@ -66,7 +66,7 @@ class Scene:
         finally:
             if progress is True:
                 print(file=sys.stderr)
-        return Picture(*made)
+        return Picture(made)
 
     def __repr__(self):
         return f"<balcony.Scene {self._file}, {len(self.objects)} objects>"

@@ -8,7 +8,6 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
-#include "balcony/diagnose.hpp"
 #include "balcony/drawing.hpp"
 #include "balcony/poses.hpp"
 #include "balcony/studies.hpp"
@@ -126,31 +125,13 @@ void add_findings(const app::CameraCheck& check, py::list& told) {
     }
 }
 
-// Of the cameras of a picture, without a scene.
-Result<std::vector<app::CameraCheck>> check_alone(const camera::Picture& picture,
-                                                  const std::array<std::size_t, 2>& size,
-                                                  const std::stop_token& stop) {
-    std::vector<app::CameraCheck> made;
-    for (const camera::ShownCamera& shown : camera::shown_cameras(picture)) {
-        const auto [width, height] = camera::size_of(
-            shown.uses.front(), static_cast<double>(size[0]), static_cast<double>(size[1]));
-        auto report = analyse::diagnose(
-            shown.camera, {.width = width, .height = height, .distance = {}}, {}, stop);
-        if (!report) {
-            return std::move(report.diagnostics);
-        }
-        made.emplace_back().report = std::move(*report);
-    }
-    return made;
-}
-
 py::list check(const CameraPointer& camera, const std::array<std::size_t, 2>& size,
                const ScenePointer& scene) {
     const auto found = take(made_by([&](const std::stop_token& stop) {
         const Locked locked(*camera, scene);
         const auto picture = camera->picture(scene, stop);
         return picture ? scene ? app::check(*picture, scene->scene, size, stop)
-                               : check_alone(*picture, size, stop)
+                               : app::check(*picture, size, stop)
                        : Result<std::vector<app::CameraCheck>>(picture.diagnostics);
     }));
     py::list told;

@@ -28,7 +28,7 @@ const bridge::ExportTarget& target_of(const std::string& name) {
             names.emplace_back(one.name);
         }
         tell({error(Kind::usage, "there is no language '" + name + "'",
-                    did_you_mean(name, names, "export_languages() lists them"))});
+                    suggestion(name, names, "the languages are"))});
     }
     return *found;
 }
@@ -51,7 +51,7 @@ void save_rays(const CameraPointer& camera, const std::string& file,
                const std::array<std::size_t, 2>& size, const std::string& layer,
                const py::object& axes, double time, const ScenePointer& scene, bool footprints) {
     PictureQuery query = query_of(size, layer, axes, time, scene);
-    query.footprints = footprints;
+    query.rays.footprints = footprints;
     tell(made_by([&](const std::stop_token& stop) {
         const auto grid = grid_of(*camera, query, stop);
         if (!grid) {

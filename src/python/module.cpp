@@ -8,6 +8,7 @@
 #include <pybind11/stl.h>
 
 #include "balcony/lang.hpp"
+#include "balcony/names.hpp"
 #include "python/objects.hpp"
 #include "python/running.hpp"
 
@@ -15,6 +16,7 @@ PYBIND11_MODULE(_balcony, module) {
     namespace python = balcony::python;
     module.attr("version") = BALCONY_VERSION;
     module.def("stop_all", python::stop_all);
+    module.def("suggestion", balcony::suggestion);
     module.def("built_in_cameras", balcony::lang::built_in_cameras);
     module.def("search_cameras", [](const std::string& words) {
         std::vector<std::string> names;
@@ -24,7 +26,7 @@ PYBIND11_MODULE(_balcony, module) {
         }
         return names;
     });
-    python::define_films(module);
+    python::define_pictures(module);
     python::define_scenes(module);
     python::define_cameras(module);
     python::define_rays(module);

@@ -15,6 +15,7 @@
 #include <pybind11/pybind11.h>
 
 #include "balcony/editable_camera.hpp"
+#include "balcony/film.hpp"
 #include "balcony/inverse.hpp"
 #include "balcony/prepared_scene.hpp"
 #include "balcony/ray_maps.hpp"
@@ -44,15 +45,11 @@ using ScenePointer = std::shared_ptr<SceneObject>;
 
 /// What is asked about the picture of a camera.
 struct PictureQuery {
-    std::size_t width = 0;  // In pixels.
-    std::size_t height = 0;
-    std::string layer{};         // As RaySettings::layer.
-    std::optional<Axes> axes{};  // By default those of the scene or, without one, of the camera.
-    double time = 0.0;
-    bool footprints = false;
-    ScenePointer scene{};  // Null for a camera by itself.
+    bridge::RaySettings rays{};  // By default in the axes of the scene, if there is one.
+    ScenePointer scene{};        // Null for a camera by itself.
 
-    bool operator==(const PictureQuery&) const = default;
+    [[nodiscard]] double width() const { return static_cast<double>(rays.width); }
+    [[nodiscard]] double height() const { return static_cast<double>(rays.height); }
 };
 
 /// The last thing that was made for a query, while nothing else has changed. It does not keep the
@@ -64,9 +61,7 @@ public:
     [[nodiscard]] Result<Made> get(const PictureQuery& query, std::size_t changes,
                                    const Make& make) {
         const std::array versions{changes, query.scene ? query.scene->changes : 0};
-        PictureQuery alone = query;
-        alone.scene.reset();
-        const bool is_same = alone == query_ && versions == versions_ &&
+        const bool is_same = query.rays == rays_ && versions == versions_ &&
                              has_scene_ == (query.scene != nullptr) && scene_.lock() == query.scene;
         if (made_ && is_same) {
             return *made_;
@@ -74,7 +69,7 @@ public:
         Result<Made> made = make();
         if (made) {
             made_ = *made;
-            query_ = alone;
+            rays_ = query.rays;
             versions_ = versions;
             has_scene_ = query.scene != nullptr;
             scene_ = query.scene;
@@ -84,7 +79,7 @@ public:
 
 private:
     std::optional<Made> made_{};
-    PictureQuery query_{};
+    bridge::RaySettings rays_{};
     std::array<std::size_t, 2> versions_{};  // Of the camera and the scene.
     bool has_scene_ = false;
     std::weak_ptr<SceneObject> scene_{};
@@ -105,6 +100,13 @@ struct CameraObject {
                                                   const std::stop_token& stop);
 };
 using CameraPointer = std::shared_ptr<CameraObject>;
+
+/// A rendered picture, and how a display shows it.
+struct PictureObject {
+    std::shared_ptr<const render::Film> film;
+    std::string camera;  // Its name.
+    render::DisplayOptions display{};
+};
 
 /// A query in words of Python. Raises ValueError.
 [[nodiscard]] PictureQuery query_of(const std::array<std::size_t, 2>& size,
@@ -128,6 +130,6 @@ void define_cameras(pybind11::module_& module);
 void define_rays(pybind11::module_& module);
 void define_exports(pybind11::module_& module);
 void define_scenes(pybind11::module_& module);
-void define_films(pybind11::module_& module);
+void define_pictures(pybind11::module_& module);
 
 }  // namespace balcony::python

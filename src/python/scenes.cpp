@@ -90,26 +90,26 @@ Rendered rendered(const ScenePointer& scene, const CameraPointer& camera,
     return made;
 }
 
-// `of_scene` is a camera of the scene, scene:NAME, that shows it without another one. Returns the
-// film, the exposure that was asked for, the names of the camera and of the view transform, and
-// whether a display shows it dithered.
-py::tuple render(const ScenePointer& scene, const CameraPointer& camera, const py::dict& options,
-                 const std::string& of_scene, const py::object& progress) {
+// `of_scene` is a camera of the scene, scene:NAME, that shows it without another one.
+PictureObject render(const ScenePointer& scene, const CameraPointer& camera,
+                     const py::dict& options, const std::string& of_scene,
+                     const py::object& progress) {
     app::Request request = scene->request;
     request.camera = of_scene;
     read_options(options, OptionUse::picture, request);
     ToldProgress told(progress);
     const app::Observer observer = told.observer();
-    const Rendered made = made_by(
+    Rendered made = made_by(
         [&](const std::stop_token& stop) {
             return rendered(scene, camera, request, observer, stop);
         },
         [&] { told(); });
     tell(made.report.diagnostics);
-    // A film is not changed once it is rendered; pybind11 knows no pointers to constants.
-    return py::make_tuple(
-        std::const_pointer_cast<render::Film>(made.film), request.exposure, made.report.camera,
-        std::string(render::view_transforms()[request.view_transform()].name), request.dither);
+    const double exposure =
+        request.exposure.value_or(balcony::render::automatic_exposure(*made.film));
+    return {std::move(made.film),
+            std::move(made.report.camera),
+            {.exposure = exposure, .view = request.view_transform(), .dither = request.dither}};
 }
 
 void set_time(const ScenePointer& scene, double time) {

@@ -104,8 +104,10 @@ class Errors(RoomTest):
         with self.assertRaisesRegex(balcony.InputError, "pinhole"):
             balcony.camera("pinhoel")
         cam = balcony.camera(AIMED)
-        with self.assertRaisesRegex(AttributeError, "it has yaw, fov, spot"):
+        with self.assertRaisesRegex(AttributeError, "did you mean 'fov'"):
             cam.fovv
+        with self.assertRaisesRegex(AttributeError, "its parameters are 'yaw', 'fov' and 'spot'"):
+            cam.aperture
         with self.assertRaisesRegex(balcony.InputError, "fov"):
             cam.fovv = 1
         with self.assertRaises(AttributeError):

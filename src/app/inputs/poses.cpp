@@ -10,7 +10,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "balcony/names.hpp"
 
@@ -63,7 +62,7 @@ Result<camera::Pose> pose_of(const PoseMatrix& matrix, std::string_view axes, Ax
             names.emplace_back(one.name);
         }
         return error(Kind::usage, fmt::format("there are no axes '{}' of cameras", axes),
-                     did_you_mean(axes, names, fmt::format("they are {}", fmt::join(names, ", "))));
+                     suggestion(axes, names, "the axes are"));
     }
     const auto column = [&](std::size_t i) {
         return V3d(matrix[0][i], matrix[1][i], matrix[2][i]);

@@ -15,25 +15,20 @@ namespace balcony::app {
 using lang::Override;
 using Names = std::vector<std::string>;
 
-struct EditableCamera::State {
+namespace {
+
+// All that two copies of a camera have in common.
+struct Facts {
     lang::CameraSource source;
     std::string name;
     std::vector<Override> values;
-    lang::Workspace workspace{};
     std::string comment{};
-    std::vector<Parameter> parameters{};
+    std::vector<EditableCamera::Parameter> parameters{};
     bool has_values = false;  // Of the parameters.
     std::optional<camera::Pose> pose{};
     std::optional<camera::Picture> made{};     // As its file has it.
     std::optional<camera::Picture> picture{};  // In its pose.
-
-    void place() { picture = pose ? made->with_pose(*pose) : *made; }
-    [[nodiscard]] Diagnostics make(const std::stop_token& stop);
-    [[nodiscard]] Diagnostics describe();
-    void find_values();
 };
-
-namespace {
 
 // The last of some values for a parameter; null if there is none.
 const Override* find(const std::vector<Override>& values, const std::string& name) {
@@ -42,7 +37,25 @@ const Override* find(const std::vector<Override>& values, const std::string& nam
     return found == values.rend() ? nullptr : &*found;
 }
 
+const lang::OpenParameter* find(const std::vector<lang::OpenParameter>& parameters,
+                                const std::string& name) {
+    const auto found = std::find_if(parameters.begin(), parameters.end(),
+                                    [&](const auto& one) { return one.name == name; });
+    return found == parameters.end() ? nullptr : &*found;
+}
+
 }  // namespace
+
+struct EditableCamera::State : Facts {
+    explicit State(Facts facts) : Facts(std::move(facts)) {}
+
+    lang::Workspace workspace{};
+
+    void place() { picture = pose ? made->with_pose(*pose) : *made; }
+    [[nodiscard]] Diagnostics make(const std::stop_token& stop);
+    [[nodiscard]] Diagnostics describe();
+    void find_values();
+};
 
 // What the declaration says, whatever the values are.
 Diagnostics EditableCamera::State::describe() {
@@ -69,21 +82,14 @@ Diagnostics EditableCamera::State::describe() {
 // Numbers are known of parameters that are open, or cannot be.
 void EditableCamera::State::find_values() {
     const auto opened = workspace.make_open_picture(source, name, values);
-    const auto number = [&](const std::string& wanted) -> const lang::OpenParameter* {
-        for (const auto* list : {&opened->open, &opened->numbers}) {
-            for (const lang::OpenParameter& one : *list) {
-                if (one.name == wanted) {
-                    return &one;
-                }
-            }
-        }
-        return nullptr;
-    };
     for (Parameter& parameter : parameters) {
         if (const Override* const set = find(values, parameter.name)) {
             parameter.written = set->expression;
         }
-        const lang::OpenParameter* const found = opened ? number(parameter.name) : nullptr;
+        const lang::OpenParameter* found = opened ? find(opened->open, parameter.name) : nullptr;
+        if (opened && found == nullptr) {
+            found = find(opened->numbers, parameter.name);
+        }
         parameter.value = found != nullptr ? std::optional(found->value) : std::nullopt;
         parameter.is_angle = found != nullptr && found->is_angle;
     }
@@ -126,7 +132,7 @@ Result<EditableCamera> EditableCamera::make(const lang::CameraSource& source,
                                             const std::string& name,
                                             const std::vector<Override>& values,
                                             const std::stop_token& stop) {
-    auto state = std::make_unique<State>(State{source, name, values});
+    auto state = std::make_unique<State>(Facts{source, name, values});
     Diagnostics found = state->make(stop);
     if (has_errors(found)) {
         return found;
@@ -135,14 +141,7 @@ Result<EditableCamera> EditableCamera::make(const lang::CameraSource& source,
 }
 
 EditableCamera EditableCamera::copy() const {
-    auto state = std::make_unique<State>(State{state_->source, state_->name, state_->values});
-    state->comment = state_->comment;
-    state->parameters = state_->parameters;
-    state->has_values = state_->has_values;
-    state->pose = state_->pose;
-    state->made = state_->made;
-    state->picture = state_->picture;
-    return EditableCamera(std::move(state));
+    return EditableCamera(std::make_unique<State>(static_cast<const Facts&>(*state_)));
 }
 
 const std::string& EditableCamera::name() const { return state_->name; }
@@ -197,6 +196,9 @@ Result<lang::OpenPicture> EditableCamera::open_picture(const std::optional<Names
     if (made && scene != nullptr) {
         Diagnostics found = scene->prepare(made->picture, stop);
         made.diagnostics.insert(made.diagnostics.end(), found.begin(), found.end());
+        if (has_errors(found)) {
+            made.value.reset();
+        }
     }
     return made;
 }
