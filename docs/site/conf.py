@@ -10,7 +10,7 @@ import pygments.token as token
 from pygments.lexer import Lexer
 
 REPOSITORY = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(REPOSITORY / "editors"))
+sys.path[:0] = [str(REPOSITORY / "editors"), str(REPOSITORY / "python")]
 
 from cam_scopes import class_of, scopes  # noqa: E402 (found there)
 
@@ -27,13 +27,19 @@ html_js_files = ["pairs.js"]
 templates_path = ["templates"]
 html_sidebars = {"**": ["sidebar/brand.html", "sidebar/search.html", "sidebar/scroll-start.html",
                         "sidebar/navigation.html", "reference.html", "sidebar/scroll-end.html"]}
-extensions = ["myst_parser"]
+extensions = ["myst_parser", "sphinx.ext.autodoc"]
+# The reference of the Python module is made of its texts, without its library.
+autodoc_mock_imports = ["balcony._balcony"]
+autodoc_typehints_format = "short"
+python_use_unqualified_type_names = True
+add_module_names = False
+default_role = "code"
 myst_enable_extensions = ["html_image"]
 myst_heading_anchors = 4
 root_doc = "README"
 include_patterns = ["README.md", "CHANGELOG.md", "docs/**.md", "editors/README.md",
-                    "packaging/README.md"]
-exclude_patterns = ["build", "docs/site", "out", "studio"]
+                    "packaging/README.md", "docs/site/python_reference.rst"]
+exclude_patterns = ["build", "out", "studio"]
 
 # What Pygments calls the scopes of a camera file, by the beginning of a scope.
 TOKENS = {
@@ -75,8 +81,8 @@ def side_bar(page):
         sections = re.findall(r"^## (.*)\n((?:(?!## ).*\n)*)", text, re.MULTILINE)
         lists = [contents(caption, [f"docs/{name}" for name in listed(rows)])
                  for caption, rows in sections]
-        return "".join([*lists, contents("More", ["docs/README", "editors/README", "packaging/README",
-                                                   "CHANGELOG"])])
+        return "".join([*lists, contents("More", ["docs/README", "docs/site/python_reference",
+                                                   "editors/README", "packaging/README", "CHANGELOG"])])
     if page == "docs/stages/README":
         text = (REPOSITORY / "docs/stages/README.md").read_text(encoding="utf-8")
         return contents("Stages", listed(text))
@@ -94,6 +100,14 @@ def read_source(_, page, source):
     source[0] = without_folders(source[0], folder) + side_bar(page)
 
 
+def examples_as_code(_, kind, name, thing, options, lines):
+    """Indented paragraphs of a Python text are examples."""
+    for at in range(len(lines) - 1, 0, -1):
+        if lines[at].startswith("    ") and not lines[at - 1]:
+            lines[at:at] = [".. code-block:: python", ""]
+
+
 def setup(app):
     app.add_lexer("cam", CameraLexer)
+    app.connect("autodoc-process-docstring", examples_as_code)
     app.connect("source-read", read_source)

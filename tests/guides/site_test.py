@@ -5,6 +5,7 @@
 Usage: site_test.py BALCONY REPOSITORY
 """
 
+import ast
 import json
 import os
 import re
@@ -92,6 +93,15 @@ class Site(unittest.TestCase):
         self.assertGreater(len(pages), 40)
         for page in map(Path, pages):
             self.assertTrue((self.folder / page).with_suffix(".html").exists(), page)
+
+    def test_the_reference_has_every_name_of_the_python_module(self):
+        module = ast.parse((REPOSITORY / "python/balcony/__init__.py").read_text(encoding="utf-8"))
+        names = next(ast.literal_eval(one.value) for one in module.body
+                     if isinstance(one, ast.Assign) and one.targets[0].id == "__all__")
+        anchors = Page(self.folder / "docs/site/python_reference.html").anchors
+        self.assertGreater(len(names), 20)
+        self.assertEqual([name for name in names if f"balcony.{name}" not in anchors], [])
+        self.assertIn("balcony.Camera.project", anchors)
 
     def test_every_link_leads_somewhere(self):
         pages = {file: Page(file) for file in self.folder.rglob("*.html")}
