@@ -22,8 +22,8 @@ namespace balcony::app {
 
 /// What is differentiated.
 struct DerivativeRequest {
-    /// Parameters; without them, all that are open. One that is not open is an error of
-    /// Kind::usage.
+    /// Parameters, whose derivatives come first and in this order. Those of others that are open
+    /// follow. One that is not open, or is named twice, is an error of Kind::usage.
     std::optional<std::vector<std::string>> by{};
     std::array<std::size_t, 2> size{};  ///< Of the picture, in pixels.
     std::size_t layer = 0;              ///< A camera layer, from 0 at the back.

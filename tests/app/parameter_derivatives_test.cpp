@@ -17,10 +17,10 @@ constexpr std::array<std::size_t, 2> size{200, 100};
 
 // Sees a point (x, y, z) at 100 - 50 (y / x - turn) pixels from the left.
 const auto text = std::make_shared<const SourceText>("turned.cam", R"(
-    camera turned(turn = 0.25, list = (0, 0, 0)) {
+    camera turned(turn = 0.25, list = (0, 0, 0), rise = 0) {
         map u = 2 .. -2, v = square
         eye point(0, 0, 0)
-        toward surface(u, v) = [1, u + turn, v]
+        toward surface(u, v) = [1, u + turn, v + rise]
         move translate(list)
     })");
 
@@ -31,7 +31,7 @@ lang::OpenPicture opened(const std::optional<std::vector<std::string>>& open = {
 }
 
 TEST(ParameterDerivatives, OfPositionsAreThoseOfTheFormula) {
-    const lang::OpenPicture picture = opened();
+    const lang::OpenPicture picture = opened(std::vector<std::string>{"turn"});
     const std::vector<V3d> points{{2, 1, 0}, {-2, 1, 0}, {4, -1, 0.5}};
     const auto locator = analyse::Locator::make(*lang::make_picture(text, ""), 200, 100);
     ASSERT_TRUE(locator) << to_text(locator.diagnostics);
@@ -46,8 +46,29 @@ TEST(ParameterDerivatives, OfPositionsAreThoseOfTheFormula) {
     }
 }
 
+TEST(ParameterDerivatives, AreInTheOrderThatIsAskedFor) {
+    const std::vector<V3d> points{{2, 1, 0}};
+    const auto locator = analyse::Locator::make(*lang::make_picture(text, ""), 200, 100);
+    ASSERT_TRUE(locator) << to_text(locator.diagnostics);
+    const auto by = [&](std::vector<std::string> names) {
+        return position_derivatives(opened(), {.by = std::move(names), .size = size}, *locator,
+                                    points);
+    };
+    const auto made = by({"rise", "turn"});
+    ASSERT_TRUE(made) << to_text(made.diagnostics);
+    EXPECT_EQ(made->by, (std::vector<std::string>{"rise", "turn"}));
+    // x by both, and y by both.
+    const std::vector<double> wanted{0, 50, 50, 0};
+    ASSERT_EQ(made->derivatives.values.size(), wanted.size());
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        EXPECT_NEAR(made->derivatives.values[i], wanted[i], 1e-9) << i;
+    }
+    EXPECT_EQ(by({"rise"})->by, (std::vector<std::string>{"rise", "turn"}));
+    EXPECT_EQ(kind_of_errors(by({"rise", "rise"}).diagnostics), Kind::usage);
+}
+
 TEST(ParameterDerivatives, OfRaysAreInTheirAxes) {
-    const lang::OpenPicture picture = opened();
+    const lang::OpenPicture picture = opened(std::vector<std::string>{"turn"});
     const std::vector<V2d> points{{30.0, 20.0}, {170.5, 80.0}};
     const auto z_up = ray_derivatives(picture, {.size = size}, points);
     const auto y_up = ray_derivatives(picture, {.size = size, .axes = Axes::y_up}, points);

@@ -183,8 +183,9 @@ class Derivatives(unittest.TestCase):
     def test_of_positions(self):
         cam = balcony.camera(AIMED, fov=1.2, yaw=0.1)
         points = np.array([[4, 1, 0.5], [5, -1, 1], [-3, 0, 0]])
-        array, by = cam.jacobian(points, ["yaw", "fov"], size=SIZE)
-        self.assertEqual((array.shape, by), ((3, 2, 2), ["yaw", "fov"]))
+        # In the order that is asked for, which is not that of the camera.
+        array, by = cam.jacobian(points, ["fov", "yaw"], size=SIZE)
+        self.assertEqual((array.shape, by), ((3, 2, 2), ["fov", "yaw"]))
         self.assertTrue(np.isnan(array[2]).all())
         # As of footprints, with third derivatives below 1e3.
         step = 1e-5

@@ -27,19 +27,28 @@ struct Opened {
 
 Result<Opened> opened_of(const lang::OpenPicture& picture, const DerivativeRequest& request,
                          const std::stop_token& stop) {
-    std::vector<std::string> names;
-    std::vector<std::string> inputs;
-    std::vector<double> values;
-    for (const lang::OpenParameter& one : picture.open) {
-        names.push_back(one.name);
-        inputs.push_back(lang::parameter_input(one.name));
-        values.push_back(one.value);
-    }
+    std::vector<lang::OpenParameter> open = picture.open;
+    auto next = open.begin();
     for (const std::string& name : request.by.value_or(std::vector<std::string>())) {
-        if (std::find(names.begin(), names.end(), name) == names.end()) {
+        const auto is_it = [&](const lang::OpenParameter& one) { return one.name == name; };
+        if (std::any_of(open.begin(), next, is_it)) {
+            return error(Kind::usage, fmt::format("'{}' is named twice", name));
+        }
+        const auto found = std::find_if(next, open.end(), is_it);
+        if (found == open.end()) {
             return error(Kind::usage, fmt::format("there are no derivatives by '{}'", name),
                          "it is no number, or determines the structure of the camera");
         }
+        std::rotate(next, found, found + 1);
+        ++next;
+    }
+    std::vector<std::string> names;
+    std::vector<std::string> inputs;
+    std::vector<double> values;
+    for (const lang::OpenParameter& one : open) {
+        names.push_back(one.name);
+        inputs.push_back(lang::parameter_input(one.name));
+        values.push_back(one.value);
     }
     auto solver =
         solve::Solver::make(picture.picture, request.layer, static_cast<double>(request.size[0]),
