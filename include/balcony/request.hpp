@@ -203,6 +203,9 @@ struct Request {
     [[nodiscard]] render::ViewTransform view_transform() const;
     /// Millimetres of the surface in a pixel of the scaled picture; nothing if that is not asked.
     [[nodiscard]] std::optional<double> pixel_millimeters() const;
+    /// How the picture is shown: with an exposure of 0 if none is asked for, and the resolution of
+    /// a print in the size of the surface if the length of a pixel is known.
+    [[nodiscard]] render::DisplayOptions display() const;
 };
 
 /// The number of samples of a pixel unless a request names it: without and with a noise level.

@@ -112,6 +112,15 @@ std::optional<double> Request::pixel_millimeters() const {
     return mm_per_pixel ? std::optional(*mm_per_pixel / crop.scale) : std::nullopt;
 }
 
+render::DisplayOptions Request::display() const {
+    constexpr double millimeters_per_inch = 25.4;
+    const std::optional<double> pixel = pixel_millimeters();
+    return {.exposure = exposure.value_or(0.0),
+            .view = view_transform(),
+            .dither = dither,
+            .dpi = dpi.value_or(pixel ? millimeters_per_inch / *pixel : 0.0)};
+}
+
 Result<render::Settings> settings_of(const Request& request) {
     Result<render::Settings> made{request.settings};
     render::Settings& settings = *made;

@@ -105,11 +105,11 @@ PictureObject render(const ScenePointer& scene, const CameraPointer& camera,
         },
         [&] { told(); });
     tell(made.report.diagnostics);
-    const double exposure =
-        request.exposure.value_or(balcony::render::automatic_exposure(*made.film));
-    return {std::move(made.film),
-            std::move(made.report.camera),
-            {.exposure = exposure, .view = request.view_transform(), .dither = request.dither}};
+    render::DisplayOptions display = request.display();
+    if (!request.exposure) {
+        display.exposure = balcony::render::automatic_exposure(*made.film);
+    }
+    return {std::move(made.film), std::move(made.report.camera), display};
 }
 
 void set_time(const ScenePointer& scene, double time) {

@@ -8,6 +8,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -133,6 +134,18 @@ bool is_of_scene(const std::string& name) {
     return names.contains(name);
 }
 
+// An option that is given elsewhere in Python is an error that says so.
+void check_use(const std::string& name, OptionUse use) {
+    const bool is_of_camera = name == "--camera" || name == "--set" || name == "--solve";
+    if (is_of_camera || (use == OptionUse::picture && is_of_scene(name))) {
+        tell({error(Kind::usage,
+                    fmt::format("'{}' is no option of a {}", name.substr(2),
+                                use == OptionUse::picture ? "picture" : "scene"),
+                    is_of_camera ? "give parameters to camera(), and the camera to render()"
+                                 : "give it to load()")});
+    }
+}
+
 }  // namespace
 
 std::vector<lang::Override> values_of(
@@ -165,17 +178,17 @@ void read_options(const py::dict& options, OptionUse use, app::Request& request)
         if (value.is_none()) {
             continue;
         }
-        if (use == OptionUse::picture && is_of_scene(row->name)) {
-            tell({error(Kind::usage, fmt::format("'{}' is no option of a picture", name),
-                        "give it to load() or, if it is about the camera, to camera()")});
-        }
+        check_use(row->name, use);
         std::vector<std::string> words = words_of(*row, value);
         if (!words.empty()) {
             given[row->name] = std::move(words);
         }
     }
+    // Options that place a camera are those of a scene, whose cameras come later.
+    const std::string camera = std::exchange(request.camera, "pinhole");
     Diagnostics found;
     known.read(given, request, found);
+    request.camera = camera;
     tell(found);
 }
 

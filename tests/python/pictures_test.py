@@ -2,8 +2,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """Scenes, pictures and their layers."""
 
+import struct
+import tempfile
 import time
 import unittest
+from pathlib import Path
 
 import balcony
 import numpy as np
@@ -95,6 +98,34 @@ class Pictures(RoomTest):
                        {"shutter": 1}):
             with self.assertRaisesRegex(balcony.UsageError, "no option of a picture"):
                 bright.render(self.cam, **option)
+
+    def test_a_scene_places_cameras_as_it_is_told(self):
+        # A pinhole that is fitted to an object has its middle in the middle of the picture.
+        for name, height in (("floor", 0), ("ceiling", 2.5)):
+            scene = balcony.load(self.room, fit_to=name)
+            at = balcony.camera("pinhole").project([[0, height, 0]], size=SIZE, scene=scene)
+            np.testing.assert_allclose(at, [[SIZE[0] / 2, SIZE[1] / 2]], atol=1e-6)
+            self.assertEqual(scene.render("pinhole", size=SIZE, samples=1).width, SIZE[0])
+        for option in ({"camera": "pinhole"}, {"set": ["fov=1rad"]}):
+            with self.assertRaisesRegex(balcony.UsageError, "no option of a scene"):
+                balcony.load(self.room, **option)
+
+    def test_a_scale_in_place_of_a_size(self):
+        # The room is 6 wide, in centimetres here; the camera shows all of it.
+        scene = balcony.load(self.room, unit="cm")
+        cam = balcony.camera("orthographic", width=6, height=2.5)
+        picture = scene.render(cam, mm_per_pixel=0.5, samples=1)
+        self.assertEqual((picture.width, picture.height), (120, 50))
+        with tempfile.TemporaryDirectory() as folder:
+            picture.save(f"{folder}/plan.png")
+            # 25.4 / 0.5 pixels per inch are 2000 per metre, which PNG files name.
+            written = Path(folder, "plan.png").read_bytes()
+            at = written.index(b"pHYs") + 4
+            self.assertEqual(struct.unpack(">IIB", written[at:at + 9]), (2000, 2000, 1))
+        with self.assertRaisesRegex(balcony.UsageError, "has no scale"):
+            scene.render(self.cam, mm_per_pixel=0.5)
+        with self.assertRaisesRegex(balcony.UsageError, "how long its unit is"):
+            self.scene.render(cam, mm_per_pixel=0.5)
 
     def test_one_call_renders_a_file(self):
         picture = balcony.render(self.room, "fisheye", size=SIZE, samples=4)

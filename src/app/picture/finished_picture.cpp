@@ -22,15 +22,14 @@ bool is_stream(const fs::path& output) { return output == "-"; }
 }  // namespace
 
 Finish finish_of(const Request& request) {
-    constexpr double millimeters_per_inch = 25.4;
-    const std::optional<double> pixel = request.pixel_millimeters();
+    const render::DisplayOptions display = request.display();
     return {.output = request.output,
             .denoiser = request.denoise ? std::optional(request.denoiser) : std::nullopt,
             .threads = request.settings.threads,
-            .exposure = request.exposure.value_or(0.0),
-            .view = request.view_transform(),
-            .dither = request.dither,
-            .dpi = request.dpi.value_or(pixel ? millimeters_per_inch / *pixel : 0.0)};
+            .exposure = display.exposure,
+            .view = display.view,
+            .dither = display.dither,
+            .dpi = display.dpi};
 }
 
 Result<camera::Picture> stereo_view(const Request& request, camera::Picture picture) {

@@ -8,6 +8,7 @@
 #include "app/animation/animate.hpp"
 #include "app/inputs/loaded.hpp"
 #include "app/inputs/placement.hpp"
+#include "app/inputs/true_scale.hpp"
 #include "app/picture/look.hpp"
 #include "app/picture/session.hpp"
 #include "app/request_check.hpp"
@@ -118,7 +119,13 @@ Request PreparedScene::State::request_for(const camera::Picture& picture,
 
 Report PreparedScene::render(const camera::Picture& picture, const Request& request,
                              const Observer& observer, const std::stop_token& stop) {
-    return render_in(state_->loaded, picture, state_->request_for(picture, request), observer, stop,
+    const auto scaled = at_true_scale(request, *scene(), picture);
+    if (!scaled) {
+        Report failed;
+        failed.diagnostics = scaled.diagnostics;
+        return failed;
+    }
+    return render_in(state_->loaded, *scaled, state_->request_for(*scaled, request), observer, stop,
                      state_->film);
 }
 
@@ -138,10 +145,11 @@ AnimationReport PreparedScene::animate(const camera::Picture& picture,
         static_cast<void>(set_time(own.time_of(1)));  // The frames tell what cannot move.
         own.picture = state_->request_for(picture, animation.picture);
         Loaded& loaded = state_->loaded;
-        if (!add(found, check_request(own.picture)) &&
+        const auto scaled = at_true_scale(own.picture, *loaded.scene, picture);
+        if (!add(found, scaled.diagnostics) && !add(found, check_request(own.picture)) &&
             load_settings(own.picture, loaded, stop, found) &&
-            move_along(picture, loaded, stop, found)) {
-            render_frames(own, loaded, picture, observer, stop, report);
+            move_along(*scaled, loaded, stop, found)) {
+            render_frames(own, loaded, *scaled, observer, stop, report);
         }
         report.interrupted |= kind_of_errors(found) == Kind::interrupted;
         if (report.interrupted && own.film) {
