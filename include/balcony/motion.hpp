@@ -95,7 +95,7 @@ struct Influence {
 };
 
 /// A mesh whose shape depends on time: first by morph targets, then by joints. Only one instance
-/// has the mesh; if there are joints, it stands at the origin of the world.
+/// has the mesh; if there are joints, it places in the world what these have placed there.
 struct Deformation {
     MeshIndex mesh;
     std::vector<V3f> positions;  ///< Of the mesh without deformation.

@@ -25,7 +25,8 @@ void append(std::vector<Element>& all, std::vector<Element> added) {
     std::move(added.begin(), added.end(), std::back_inserter(all));
 }
 
-// The vertices of a mesh that follows joints are in the world by these.
+// The vertices of a mesh that follows joints are in the world by these, before its instance places
+// them.
 bool follows_joints(const Scene& scene, MeshIndex mesh) {
     return scene.motion &&
            std::any_of(scene.motion->deformations.begin(), scene.motion->deformations.end(),
@@ -82,6 +83,7 @@ void add_motion(Scene& scene, const Motion& added, const M44d& scene_from_added)
 
 void add_scene(Scene& scene, Scene added) {
     const M44d scene_from_added = turning(added.axes, scene.axes);
+    const M44d added_from_scene = turning(scene.axes, added.axes);
     if (added.motion) {
         add_motion(scene, *added.motion, scene_from_added);
     }
@@ -94,8 +96,9 @@ void add_scene(Scene& scene, Scene added) {
         shift(mesh.edit().material, scene.materials.size());
     }
     for (Instance& instance : added.instances) {
-        if (!follows_joints(added, instance.mesh)) {
-            instance.world_from_mesh *= scene_from_added;
+        instance.world_from_mesh *= scene_from_added;
+        if (follows_joints(added, instance.mesh)) {
+            instance.world_from_mesh = added_from_scene * instance.world_from_mesh;
         }
         shift(instance.mesh, scene.meshes.size());
         instance.object += static_cast<std::uint32_t>(scene.objects.size());

@@ -98,6 +98,10 @@ private:
     std::size_t next_report_ = 0;
 };
 
+/// Warns once of what is wrong with meshes, for all of a file, and drops instances beyond
+/// max_coincident.
+void warn_of_meshes(Import& import);
+
 /// Treats closed objects of thin glass as LoadOptions::solid_glass says.
 void treat_glass(Import& import);
 

@@ -10,6 +10,7 @@
 
 #include "balcony/input_file.hpp"
 #include "scene/coincident.hpp"
+#include "scene/default_light.hpp"
 #include "scene/import.hpp"
 
 namespace balcony::scene {
@@ -52,12 +53,6 @@ void refuse_what_is_no_file(const Import& import) {
     }
 }
 
-bool has_emission(const Scene& scene) {
-    return std::any_of(
-        scene.materials.begin(), scene.materials.end(),
-        [](const Material& material) { return material.emission != Color3f(0.0F, 0.0F, 0.0F); });
-}
-
 // Brings emission to the units of the lights.
 void scale_emission(Import& import) {
     Scene& scene = import.scene;
@@ -71,30 +66,6 @@ void scale_emission(Import& import) {
             *part = std::min(*part * scene.emission_scale, static_cast<float>(max_quantity));
         }
     }
-}
-
-// What is wrong with meshes, once for the whole file.
-void warn_of_meshes(Import& import) {
-    for (const MeshFault& fault : import.mesh_faults) {
-        const std::string others =
-            fault.meshes > 1 ? " and " + counted(fault.meshes - 1, "other") : "";
-        import.warn(fmt::format("mesh {}{}: {} {}", in_quotes(fault.first_mesh), others,
-                                counted(fault.count, fault.noun), fault.what));
-    }
-    const std::string file = in_quotes(import.file.filename().string());
-    if (import.triangles_without_area > 0) {
-        import.warn(fmt::format("{}: {} without area skipped", file,
-                                counted(import.triangles_without_area, "triangle")));
-    }
-    const auto coincident = [&](std::size_t count, std::string_view noun) {
-        if (count > 0) {
-            import.warn(fmt::format("{}: {} skipped, each in the same place as {} others", file,
-                                    counted(count, noun), max_coincident),
-                        "remove the copies from the scene");
-        }
-    };
-    coincident(import.coincident_triangles, "triangle");
-    coincident(drop_coincident_instances(import.scene), "instance");
 }
 
 void read(Import& import) {
@@ -120,7 +91,7 @@ void read(Import& import) {
     }
     treat_glass(import);
     scale_emission(import);
-    import.scene.default_light = import.scene.lights.empty() && !has_emission(import.scene);
+    find_default_light(import.scene);
 }
 
 Result<Scene> load(Import import) {
@@ -149,6 +120,29 @@ Result<Scene> load(Import import) {
 }
 
 }  // namespace
+
+void warn_of_meshes(Import& import) {
+    for (const MeshFault& fault : import.mesh_faults) {
+        const std::string others =
+            fault.meshes > 1 ? " and " + counted(fault.meshes - 1, "other") : "";
+        import.warn(fmt::format("mesh {}{}: {} {}", in_quotes(fault.first_mesh), others,
+                                counted(fault.count, fault.noun), fault.what));
+    }
+    const std::string file = in_quotes(import.file.filename().string());
+    if (import.triangles_without_area > 0) {
+        import.warn(fmt::format("{}: {} without area skipped", file,
+                                counted(import.triangles_without_area, "triangle")));
+    }
+    const auto coincident = [&](std::size_t count, std::string_view noun) {
+        if (count > 0) {
+            import.warn(fmt::format("{}: {} skipped, each in the same place as {} others", file,
+                                    counted(count, noun), max_coincident),
+                        "remove the copies from the scene");
+        }
+    };
+    coincident(import.coincident_triangles, "triangle");
+    coincident(drop_coincident_instances(import.scene), "instance");
+}
 
 std::span<const std::string_view> file_extensions() {
     static constexpr auto extensions = [] {

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <algorithm>
-#include <array>
 #include <limits>
 
 #include <fmt/format.h>
 
 #include "app/options/word_parts.hpp"
 #include "balcony/picture_options.hpp"
+#include "balcony/scene_edits.hpp"
 
 namespace balcony::app {
 
@@ -17,19 +17,13 @@ namespace {
 using scene::Light;
 using scene::LightKind;
 
-constexpr std::array lamp_kinds{
-    Named{LightKind::point, "point"},
-    Named{LightKind::spot, "spot"},
-    Named{LightKind::directional, "sun"},
-};
-
 Value<Imath::Color3f> intensity() { return color(std::numeric_limits<float>::infinity(), {}); }
 
 // The words of "spot 500 at 0,2,0 to 0,0,0 cone 30".
 std::optional<Light> lamp_of(std::string_view text) {
     std::vector<std::string_view> words = parts_of(text, " ");
     std::erase(words, "");
-    const auto kind = words.size() > 1 ? Names<LightKind>(lamp_kinds).find(words[0]) : std::nullopt;
+    const auto kind = words.size() > 1 ? scene::light_kinds().find(words[0]) : std::nullopt;
     const auto strength = kind ? intensity().read(words[1]) : std::nullopt;
     if (!strength || words.size() % 2 != 0) {
         return std::nullopt;
@@ -67,7 +61,7 @@ std::optional<Light> lamp_of(std::string_view text) {
 
 std::string word_of(const Light& lamp) {
     const auto point = [](const Imath::V3d& p) { return fmt::format("{},{},{}", p.x, p.y, p.z); };
-    std::string word = fmt::format("{} {} at {}", Names<LightKind>(lamp_kinds)[lamp.kind].name,
+    std::string word = fmt::format("{} {} at {}", scene::light_kinds()[lamp.kind].name,
                                    intensity().write(lamp.intensity), point(lamp.position));
     if (lamp.kind != LightKind::point) {
         word += fmt::format(" to {}", point(lamp.position + lamp.direction));
