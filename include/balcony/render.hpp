@@ -166,8 +166,8 @@ public:
                                                const PartDone& progress = {},
                                                const std::stop_token& stop = {});
 
-    /// The same scene for other times, as scene::moved_to() gives it. Shares the textures and all
-    /// that does not move. A scene with other parts is an error of Kind::usage.
+    /// The scene at other times, as scene::moved_to() gives it, or edited, also with other parts.
+    /// Shares textures and meshes that are the same; other textures are an error of Kind::usage.
     [[nodiscard]] Result<Renderer> moved(std::shared_ptr<const scene::Scene> scene,
                                          const scene::TimeInterval& interval,
                                          const PartDone& progress = {},

@@ -127,17 +127,45 @@ TEST(Frames, EarlierRenderersStayUsable) {
     EXPECT_TRUE(same(rendered(after, frame), rendered_anew(scene, frame)));
 }
 
-TEST(Frames, RenderersDoNotMoveToOtherScenes) {
+// A scene with other parts is what a renderer makes of it anew.
+TEST(Frames, RenderersMoveToEditedScenes) {
     const scene::Scene scene = moving_scene();
-    scene::Scene larger = scene;
-    larger.instances.push_back(larger.instances.back());
+    const Renderer renderer = renderer_of(scene);
+    scene::Scene more = scene;
+    more.instances.push_back(more.instances.back());
+    more.instances.back().world_from_mesh *= scene::M44d().translate(V3d(0.2, 0.1, 0.3));
+    scene::Scene fewer = scene;
+    fewer.motion.reset();
+    fewer.instances.pop_back();
+    scene::Scene clear = scene;
+    for (scene::Material& material : clear.materials) {
+        material.alpha_mode = scene::AlphaMode::blend;
+        material.alpha = 0.5F;
+    }
+    for (const scene::Scene* const edited : {&more, &fewer, &clear}) {
+        const auto moved = renderer.moved(at_time(*edited, frame), shutter.exposure(frame));
+        ASSERT_TRUE(moved) << to_text(moved.diagnostics);
+        Film film = empty_film();
+        EXPECT_TRUE(render::render(*moved, view(), settings_at(frame), film));
+        EXPECT_TRUE(same(film, rendered_anew(*edited, frame)));
+        EXPECT_FALSE(same(film, rendered_anew(scene, frame)));
+    }
+}
+
+TEST(Frames, RenderersDoNotMoveToOtherTextures) {
+    scene::Scene scene = moving_scene();
     const Result<Renderer> renderer = Renderer::make(std::make_shared<const scene::Scene>(scene));
-    for (const auto& other : {std::make_shared<const scene::Scene>(larger),
-                              std::make_shared<const scene::Scene>(moving_scene()),
-                              std::shared_ptr<const scene::Scene>()}) {
+    const auto pixel = [](int, int) { return std::vector<std::uint8_t>{255, 0, 0}; };
+    add_texture(scene, encode_png(1, 1, 3, pixel));
+    scene::Scene broken = moving_scene();
+    broken.instances[0].mesh = scene::MeshIndex(99);
+    for (const auto& [other, kind] :
+         {std::pair{std::make_shared<const scene::Scene>(scene), Kind::usage},
+          {std::shared_ptr<const scene::Scene>(), Kind::usage},
+          {std::make_shared<const scene::Scene>(broken), Kind::internal}}) {
         const Result<Renderer> moved = renderer->moved(other, {0.0, 0.0});
         EXPECT_FALSE(moved);
-        EXPECT_EQ(moved.diagnostics.at(0).kind, Kind::usage);
+        EXPECT_EQ(moved.diagnostics.at(0).kind, kind);
     }
 }
 

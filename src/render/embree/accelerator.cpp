@@ -9,6 +9,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include <fmt/format.h>
@@ -85,6 +86,13 @@ void pass_transparent(const RTCFilterFunctionNArguments* arguments) {
     }
 }
 
+// Whether shadow rays ask what passes a mesh.
+bool may_pass_light(const scene::Scene& scene, scene::MeshIndex mesh) {
+    const scene::Material& material = scene.materials[scene.meshes[mesh.value()]->material.value()];
+    return material.alpha_mode != scene::AlphaMode::opaque || may_be_pane(material) ||
+           is_glass(material);
+}
+
 // A mesh as triangles, placed as an instance is if one is given. Null after a stop, or for lack of
 // memory.
 Geometry make_triangles(RTCDevice device, const scene::Scene& scene, const MotionSteps& motion,
@@ -121,9 +129,7 @@ Geometry make_triangles(RTCDevice device, const scene::Scene& scene, const Motio
         return {};
     }
     std::copy(mesh.triangles.begin(), mesh.triangles.end(), triangles);
-    const scene::Material& material = scene.materials[mesh.material.value()];
-    if (material.alpha_mode != scene::AlphaMode::opaque || may_be_pane(material) ||
-        is_glass(material)) {
+    if (may_pass_light(scene, index)) {
         rtcSetGeometryOccludedFilterFunction(geometry.get(), pass_transparent);
     }
     rtcCommitGeometry(geometry.get());
@@ -221,14 +227,22 @@ struct Engine {
     Device device;
 };
 
+// The structure of a mesh that instances place.
+struct BuiltMesh {
+    BuiltScene built{};  // Null if no instance places it.
+    std::optional<scene::Shared<scene::Mesh>> mesh{};
+    bool passes_light = false;
+};
+
 struct Accelerator::State {
     std::shared_ptr<Engine> engine = std::make_shared<Engine>();
-    std::vector<BuiltScene> meshes;  // By mesh; null for one that no instance places.
+    std::vector<BuiltMesh> meshes;  // By mesh.
     BuiltScene world;
     std::vector<bool> attached;  // To the world, by instance.
     float reach = max_coordinate;
 
     [[nodiscard]] RTCDevice device() const { return engine->device.get(); }
+    void reuse(const std::vector<BuiltMesh>& before, const scene::Scene& scene);
     void place(const scene::Scene& scene, const MotionSteps& motion, std::size_t instance,
                BuildMonitor& monitor);
     void copy(const scene::Scene& scene, const MotionSteps& motion, std::size_t instance,
@@ -236,12 +250,37 @@ struct Accelerator::State {
     [[nodiscard]] bool traceable(const Ray& ray) const;
 };
 
+// Takes over the meshes that are still in a scene and keep their shape.
+void Accelerator::State::reuse(const std::vector<BuiltMesh>& before, const scene::Scene& scene) {
+    std::unordered_map<const scene::Mesh*, const BuiltMesh*> known;
+    for (const BuiltMesh& one : before) {
+        if (one.built) {
+            known.emplace(&**one.mesh, &one);
+        }
+    }
+    meshes.resize(scene.meshes.size());
+    for (std::size_t i = 0; i < meshes.size(); ++i) {
+        const auto found = known.find(&*scene.meshes[i]);
+        if (found != known.end() &&
+            found->second->passes_light == may_pass_light(scene, scene::MeshIndex(i))) {
+            meshes[i] = *found->second;
+        }
+    }
+    if (scene.motion) {
+        for (const scene::Deformation& deformation : scene.motion->deformations) {
+            meshes[deformation.mesh.value()] = {};
+        }
+    }
+}
+
 void Accelerator::State::place(const scene::Scene& scene, const MotionSteps& motion,
                                std::size_t instance, BuildMonitor& monitor) {
     const scene::MeshIndex index = scene.instances[instance].mesh;
-    BuiltScene& mesh = meshes[index.value()];
+    BuiltScene& mesh = meshes[index.value()].built;
     if (!mesh) {
         mesh = make_scene(device());
+        meshes[index.value()].mesh = scene.meshes[index.value()];
+        meshes[index.value()].passes_light = may_pass_light(scene, index);
         if (const Geometry triangles =
                 make_triangles(device(), scene, motion, index, std::nullopt, monitor)) {
             rtcAttachGeometry(mesh.get(), triangles.get());
@@ -291,12 +330,7 @@ Result<Accelerator> Accelerator::moved(const scene::Scene& scene, const scene::M
                                        const PartDone& progress) const {
     auto state = std::make_shared<State>();
     state->engine = state_->engine;
-    state->meshes = state_->meshes;
-    if (scene.motion) {
-        for (const scene::Deformation& deformation : scene.motion->deformations) {
-            state->meshes[deformation.mesh.value()].reset();
-        }
-    }
+    state->reuse(state_->meshes, scene);
     return fill(std::move(state), scene, movement, stop, progress);
 }
 

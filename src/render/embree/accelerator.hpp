@@ -35,8 +35,8 @@ public:
                                                    const std::stop_token& stop = {},
                                                    const PartDone& progress = {});
 
-    /// The same for the scene of this structure at another time. Shares the meshes that are placed
-    /// and keep their shape.
+    /// The same for the scene of this structure at another time, or edited. Shares the meshes that
+    /// are placed in both and keep their shape.
     [[nodiscard]] Result<Accelerator> moved(const scene::Scene& scene,
                                             const scene::Movement& movement,
                                             const std::stop_token& stop = {},

@@ -1,7 +1,10 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
+#include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -19,6 +22,37 @@ Diagnostics check(const scene::TimeInterval& interval) {
     }
     return {error(Kind::usage, "an interval of time does not end after it begins",
                   "give two finite times in their order")};
+}
+
+}  // namespace
+
+namespace {
+
+// The images that materials read, and how.
+auto read_textures(const scene::Scene& scene) {
+    std::set<std::pair<scene::TextureIndex, scene::TextureEncoding>> read;
+    for (const scene::Material& material : scene.materials) {
+        for (const auto use : scene::texture_uses) {
+            if ((material.*use).valid()) {
+                read.emplace((material.*use).index, (material.*use).encoding);
+            }
+        }
+    }
+    return read;
+}
+
+// Whether a scene reads no other images than one before an edit.
+bool has_textures_of(const scene::Scene& edited, const scene::Scene& scene) {
+    const auto is_same = [](const scene::Texture& one, const scene::Texture& other) {
+        return one.file == other.file && &*one.bytes == &*other.bytes &&
+               one.wrap_u == other.wrap_u && one.wrap_v == other.wrap_v &&
+               one.interpolated == other.interpolated;
+    };
+    const auto read = read_textures(edited);
+    const auto known = read_textures(scene);
+    return std::equal(edited.textures.begin(), edited.textures.end(), scene.textures.begin(),
+                      scene.textures.end(), is_same) &&
+           std::includes(known.begin(), known.end(), read.begin(), read.end());
 }
 
 }  // namespace
@@ -95,9 +129,12 @@ Result<Renderer> Renderer::make(std::shared_ptr<const scene::Scene> scene,
 Result<Renderer> Renderer::moved(std::shared_ptr<const scene::Scene> scene,
                                  const scene::TimeInterval& interval, const PartDone& progress,
                                  const std::stop_token& stop) const {
-    if (!scene || !has_parts_of(*scene, *state_->traced.scene)) {
-        return error(Kind::usage, "a renderer moves to another time of its own scene only",
-                     "give what scene::moved_to() makes of it");
+    if (!scene || !has_textures_of(*scene, *state_->traced.scene)) {
+        return error(Kind::usage, "a renderer moves to a scene with its own textures only",
+                     "give what scene::moved_to() or an edit makes of its scene");
+    }
+    if (Diagnostics found = scene::check(*scene); !found.empty()) {
+        return found;
     }
     if (Diagnostics found = check(interval); !found.empty()) {
         return found;
@@ -106,7 +143,7 @@ Result<Renderer> Renderer::moved(std::shared_ptr<const scene::Scene> scene,
     traced.interval = interval;
     const Stopwatch watch;
     Diagnostics warnings;
-    if (scene->motion) {
+    if (scene->motion || scene != traced.scene) {
         const scene::Movement movement = scene::movement(*scene, interval);
         Result<embree::Accelerator> accelerator =
             traced.accelerator.moved(*scene, movement, stop, progress);
@@ -120,7 +157,7 @@ Result<Renderer> Renderer::moved(std::shared_ptr<const scene::Scene> scene,
         if (stop.stop_requested()) {
             return stopped();
         }
-        traced.materials.use(*scene);
+        traced.materials = MaterialSet(*scene, *traced.textures);
         traced.scene = std::move(scene);
     }
     Preparation preparation = state_->preparation;

@@ -34,8 +34,6 @@ class MaterialSet {
 public:
     /// The scene and the textures must outlive it.
     MaterialSet(const scene::Scene& scene, const TextureLibrary& textures);
-    /// From now on for this scene, which has the same materials.
-    void use(const scene::Scene& scene) { scene_ = &scene; }
 
     /// Some material has a texture, so footprints matter.
     [[nodiscard]] bool has_textures() const { return has_textures_; }
