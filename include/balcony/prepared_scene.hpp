@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -23,6 +24,9 @@
 
 namespace balcony::app {
 
+/// Changes a scene by the functions of scene_edits.hpp, or otherwise. It keeps its textures.
+using SceneEdit = std::function<Diagnostics(scene::Scene&)>;
+
 /// A scene that is loaded and lit as a request says, and cameras that are placed in it. Belongs to
 /// one thread at a time; what it makes may be used anywhere.
 class PreparedScene {
@@ -32,11 +36,15 @@ public:
     [[nodiscard]] static Result<PreparedScene> make(const Request& request,
                                                     const Observer& observer = {},
                                                     const std::stop_token& stop = {});
+    /// The same for a scene that a program has made; that of the request is not read.
+    [[nodiscard]] static Result<PreparedScene> make(scene::Scene scene, const Request& request,
+                                                    const Observer& observer = {},
+                                                    const std::stop_token& stop = {});
     PreparedScene(PreparedScene&&) noexcept;
     PreparedScene& operator=(PreparedScene&&) noexcept;
     ~PreparedScene();
 
-    /// The same scene for another thread: shares all that does not move.
+    /// The same scene for another thread, as it is now: shares all that does not move.
     [[nodiscard]] PreparedScene share() const;
 
     /// A picture of a camera file with these parameters open, or all that can be without a list,
@@ -53,8 +61,12 @@ public:
     /// Moves the scene to a time in seconds, which the settings then have. The renderer follows
     /// with the next picture, or by prepare(). What cannot move is a warning.
     [[nodiscard]] Diagnostics set_time(double time);
-    /// Makes the scene ready for a picture of it that was made at another time.
-    [[nodiscard]] Diagnostics prepare(const camera::Picture& picture,
+    /// Changes what the scene is at all times. After an error of the edit, it stays as it was. The
+    /// renderer follows as after set_time(): all edits until then cost it as much as one.
+    [[nodiscard]] Diagnostics edit(const SceneEdit& change);
+    /// Makes the scene ready for a picture of it that was made before set_time() or edit(), or
+    /// without one for cameras that are placed in it.
+    [[nodiscard]] Diagnostics prepare(const std::optional<camera::Picture>& picture = {},
                                       const std::stop_token& stop = {});
 
     /// Renders a picture and writes it, as Session::render() does. Of the request, the scene, its
@@ -80,6 +92,7 @@ public:
                                           const std::stop_token& stop = {}) const;
 
     [[nodiscard]] const std::shared_ptr<const scene::Scene>& scene() const;
+    /// Of the scene at its last prepare() or picture.
     [[nodiscard]] const render::Renderer& renderer() const;
     /// Those of the request, with its environment.
     [[nodiscard]] const render::Settings& settings() const;
@@ -87,6 +100,9 @@ public:
 private:
     struct State;
     explicit PreparedScene(std::unique_ptr<State> state);
+    [[nodiscard]] static Result<PreparedScene> make(std::unique_ptr<State> state,
+                                                    const Observer& observer,
+                                                    const std::stop_token& stop);
     std::unique_ptr<State> state_;
 };
 

@@ -41,8 +41,10 @@ scene::TimeInterval times_of_rays(const render::Settings& settings,
     return times ? scene::TimeInterval{times->first, times->last} : exposure;
 }
 
-bool has_times(const Loaded& loaded, const scene::TimeInterval& times) {
-    return times.begin == loaded.times.begin && times.end == loaded.times.end;
+// Whether the renderer has the scene, and these times.
+bool is_prepared(const Loaded& loaded, const scene::TimeInterval& times) {
+    return loaded.traced == loaded.scene && times.begin == loaded.times.begin &&
+           times.end == loaded.times.end;
 }
 
 bool move_renderer(Loaded& loaded, const scene::TimeInterval& times, const std::stop_token& stop,
@@ -53,6 +55,7 @@ bool move_renderer(Loaded& loaded, const scene::TimeInterval& times, const std::
         return false;
     }
     loaded.renderer = std::move(*moved);
+    loaded.traced = loaded.scene;
     loaded.times = times;
     return true;
 }
@@ -122,11 +125,7 @@ private:
         if (!scene) {
             return false;
         }
-        set_unit(*scene, request_.meters_per_unit);
-        if (const auto& lamps = request_.light.lamps; !lamps.empty()) {
-            scene->lights.insert(scene->lights.end(), lamps.begin(), lamps.end());
-            scene->default_light = false;
-        }
+        complete(*scene, request_);
         loaded_.scene = std::make_shared<const scene::Scene>(std::move(*scene));
         return true;
     }
@@ -148,7 +147,7 @@ private:
     bool prepare(const std::optional<camera::Picture>& picture) {
         const scene::TimeInterval times = times_of_rays(loaded_.settings, picture, stop_, found_);
         if (loaded_.renderer) {
-            return has_times(loaded_, times) || move_renderer(loaded_, times, stop_, found_);
+            return is_prepared(loaded_, times) || move_renderer(loaded_, times, stop_, found_);
         }
         if (!read_scene()) {
             return false;
@@ -158,6 +157,7 @@ private:
             telling(Step::building), stop_);
         add(found_, renderer.diagnostics);
         loaded_.renderer = std::move(renderer.value);
+        loaded_.traced = loaded_.scene;
         loaded_.times = times;
         return loaded_.renderer.has_value();
     }
@@ -212,6 +212,7 @@ Loaded shared(const Loaded& loaded) {
     Loaded made;
     made.scene = loaded.scene;
     made.renderer = loaded.renderer;
+    made.traced = loaded.traced;
     made.times = loaded.times;
     made.load_seconds = loaded.load_seconds;
     made.settings = loaded.settings;
@@ -245,11 +246,18 @@ bool load_settings(const Request& request, Loaded& loaded, const std::stop_token
     return settings && !has_errors(found);
 }
 
-bool move_along(const camera::Picture& picture, Loaded& loaded, const std::stop_token& stop,
-                Diagnostics& found) {
+bool move_along(const std::optional<camera::Picture>& picture, Loaded& loaded,
+                const std::stop_token& stop, Diagnostics& found) {
     const scene::TimeInterval times = times_of_rays(loaded.settings, picture, stop, found);
-    return (!loaded.scene->motion && has_times(loaded, times)) ||
-           move_renderer(loaded, times, stop, found);
+    return is_prepared(loaded, times) || move_renderer(loaded, times, stop, found);
+}
+
+void complete(scene::Scene& scene, const Request& request) {
+    set_unit(scene, request.meters_per_unit);
+    if (const auto& lamps = request.light.lamps; !lamps.empty()) {
+        scene.lights.insert(scene.lights.end(), lamps.begin(), lamps.end());
+        scene.default_light = false;
+    }
 }
 
 std::optional<camera::Picture> load_all(const Request& request, Loaded& loaded,

@@ -24,6 +24,7 @@ struct Loaded {
     lang::Workspace cameras;
     std::shared_ptr<const scene::Scene> scene;
     std::optional<render::Renderer> renderer;
+    std::shared_ptr<const scene::Scene> traced{};      ///< That of the renderer.
     scene::TimeInterval times{};                       ///< Of the renderer's rays.
     double load_seconds = 0.0;                         ///< To read the scene.
     render::Settings settings{};                       ///< With an environment that is a file.
@@ -58,10 +59,14 @@ struct Loaded {
 [[nodiscard]] bool load_scene_of(const Request& request, Loaded& loaded, const Observer& observer,
                                  const std::stop_token& stop, Diagnostics& found);
 
-/// Prepares the scene, which was moved, for the rays of a picture at another time. False if it
-/// fails, as the diagnostics say.
-[[nodiscard]] bool move_along(const camera::Picture& picture, Loaded& loaded,
+/// Prepares the scene, which was moved or edited, for the rays of a picture, or without one for the
+/// time that the shutter is open, as far as that is not done. False if it fails, as the diagnostics
+/// say.
+[[nodiscard]] bool move_along(const std::optional<camera::Picture>& picture, Loaded& loaded,
                               const std::stop_token& stop, Diagnostics& found);
+
+/// Adds the lamps of a request to a scene, and gives it the unit of the request.
+void complete(scene::Scene& scene, const Request& request);
 
 /// The film that a picture needs. A picture for the display has no layers.
 [[nodiscard]] render::FilmLayout film_layout(const Request& request, const camera::Picture& picture,

@@ -58,6 +58,9 @@ MissText miss_text(const render::Miss& miss, const camera::Camera& camera) {
     if (best != miss.attempts.end()) {
         return text_of(*best, camera);
     }
+    if (miss.bounds.isEmpty()) {
+        return {"the scene has no surface", "add an object to it"};
+    }
     const std::string scene = fmt::format("the scene, {} .. {}", point_text(miss.bounds.min),
                                           point_text(miss.bounds.max));
     if (starts_outside(miss)) {

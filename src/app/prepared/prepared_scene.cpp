@@ -34,6 +34,21 @@ Result<PreparedScene> PreparedScene::make(const Request& request, const Observer
                                           const std::stop_token& stop) {
     auto state = std::make_unique<State>();
     state->request = request;
+    return make(std::move(state), observer, stop);
+}
+
+Result<PreparedScene> PreparedScene::make(scene::Scene scene, const Request& request,
+                                          const Observer& observer, const std::stop_token& stop) {
+    auto state = std::make_unique<State>();
+    state->request = request;
+    complete(scene, request);
+    state->loaded.scene = std::make_shared<const scene::Scene>(std::move(scene));
+    return make(std::move(state), observer, stop);
+}
+
+Result<PreparedScene> PreparedScene::make(std::unique_ptr<State> state, const Observer& observer,
+                                          const std::stop_token& stop) {
+    const Request& request = state->request;
     Diagnostics found;
     bool done = false;
     within_memory(found, [&] {
@@ -56,6 +71,10 @@ Result<lang::OpenPicture> PreparedScene::picture(
     const std::optional<std::vector<std::string>>& open) {
     Loaded& loaded = state_->loaded;
     const Request& request = state_->request;
+    Diagnostics prepared;
+    if (loaded.traced != loaded.scene && !move_along({}, loaded, stop, prepared)) {
+        return prepared;
+    }
     loaded.cameras.stop_with(stop);
     loaded.cameras.fit_to({});
     const auto make = [&] { return loaded.cameras.make_open_picture(source, name, values, open); };
@@ -98,7 +117,17 @@ Diagnostics PreparedScene::set_time(double time) {
     return std::move(moved.diagnostics);
 }
 
-Diagnostics PreparedScene::prepare(const camera::Picture& picture, const std::stop_token& stop) {
+Diagnostics PreparedScene::edit(const SceneEdit& change) {
+    scene::Scene changed = *state_->loaded.scene;
+    Diagnostics found = change(changed);
+    if (!has_errors(found)) {
+        state_->loaded.scene = std::make_shared<const scene::Scene>(std::move(changed));
+    }
+    return found;
+}
+
+Diagnostics PreparedScene::prepare(const std::optional<camera::Picture>& picture,
+                                   const std::stop_token& stop) {
     Diagnostics found;
     static_cast<void>(move_along(picture, state_->loaded, stop, found));
     return found;
@@ -120,13 +149,17 @@ Request PreparedScene::State::request_for(const camera::Picture& picture,
 Report PreparedScene::render(const camera::Picture& picture, const Request& request,
                              const Observer& observer, const std::stop_token& stop) {
     const auto scaled = at_true_scale(request, *scene(), picture);
-    if (!scaled) {
-        Report failed;
-        failed.diagnostics = scaled.diagnostics;
-        return failed;
+    Diagnostics found = scaled.diagnostics;
+    Report report;
+    if (scaled && move_along(*scaled, state_->loaded, stop, found)) {
+        report = render_in(state_->loaded, *scaled, state_->request_for(*scaled, request), observer,
+                           stop, state_->film);
+    } else {
+        state_->film.reset();
+        report.interrupted = kind_of_errors(found) == Kind::interrupted;
     }
-    return render_in(state_->loaded, *scaled, state_->request_for(*scaled, request), observer, stop,
-                     state_->film);
+    report.diagnostics.insert(report.diagnostics.begin(), found.begin(), found.end());
+    return report;
 }
 
 std::shared_ptr<const render::Film> PreparedScene::film() const { return state_->film; }
