@@ -4,6 +4,8 @@
 
 // Arrays of NumPy.
 
+#include <array>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -44,5 +46,16 @@ struct Rows {
 };
 [[nodiscard]] Rows rows_of(const pybind11::object& argument, const std::string& name,
                            const std::vector<std::size_t>& columns);
+
+/// The same for whole numbers in rows of three. Those beyond 2^63 become negative.
+struct Triples {
+    pybind11::array_t<std::int64_t> array;
+    std::size_t count = 0;
+
+    [[nodiscard]] std::span<const std::array<std::int64_t, 3>> triangles() const {
+        return {reinterpret_cast<const std::array<std::int64_t, 3>*>(array.data()), count};
+    }
+};
+[[nodiscard]] Triples triples_of(const pybind11::object& argument, const std::string& name);
 
 }  // namespace balcony::python

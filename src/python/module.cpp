@@ -28,6 +28,7 @@ PYBIND11_MODULE(_balcony, module) {
     });
     python::define_pictures(module);
     python::define_scenes(module);
+    python::define_scene_edits(module);
     python::define_cameras(module);
     python::define_rays(module);
     python::define_exports(module);

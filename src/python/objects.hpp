@@ -130,6 +130,7 @@ void define_cameras(pybind11::module_& module);
 void define_rays(pybind11::module_& module);
 void define_exports(pybind11::module_& module);
 void define_scenes(pybind11::module_& module);
+void define_scene_edits(pybind11::module_& module);
 void define_pictures(pybind11::module_& module);
 
 }  // namespace balcony::python

@@ -31,6 +31,23 @@ ScenePointer load(const std::string& file, const py::dict& options) {
     return std::make_shared<SceneObject>(std::move(made), std::move(request));
 }
 
+ScenePointer empty_scene(const py::object& axes, const py::dict& options) {
+    app::Request request;
+    read_options(options, OptionUse::scene, request);
+    scene::Scene scene;
+    scene.axes = *axes_of(axes);
+    scene.default_light = true;
+    auto made = take(made_by([&](const std::stop_token& stop) {
+        return app::PreparedScene::make(scene, request, {}, stop);
+    }));
+    return std::make_shared<SceneObject>(std::move(made), std::move(request));
+}
+
+ScenePointer copy(const ScenePointer& scene) {
+    return std::make_shared<SceneObject>(
+        scene->locked([](const app::PreparedScene& own) { return own.share(); }), scene->request);
+}
+
 // How far a render is, told to a function of Python by the thread that called.
 class ToldProgress {
 public:
@@ -69,7 +86,11 @@ Result<camera::Picture> picture_in(const ScenePointer& scene, const CameraPointe
         const std::lock_guard lock(camera->mutex);
         return camera->picture(scene, stop);
     }
-    const app::PreparedScene& own = scene->scene;
+    app::PreparedScene& own = scene->scene;
+    Diagnostics found = own.prepare({}, stop);
+    if (has_errors(found)) {
+        return found;
+    }
     return name.empty() ? app::default_picture(*own.scene(), own.renderer(), stop)
                         : app::load_picture(name, {}, *own.scene(), stop);
 }
@@ -134,6 +155,7 @@ std::vector<std::string> names_of(const Things& things) {
 void define_scenes(py::module_& module) {
     py::class_<SceneObject, ScenePointer>(module, "Scene")
         .def(py::init(&load), py::arg("file"), py::arg("options"))
+        .def_static("empty", &empty_scene, py::arg("axes"), py::arg("options"))
         .def(
             "objects",
             [](SceneObject& scene) {
@@ -144,6 +166,16 @@ void define_scenes(py::module_& module) {
             [](SceneObject& scene) {
                 return scene.locked([](const auto& own) { return names_of(own.scene()->cameras); });
             })
+        .def("materials",
+             [](SceneObject& scene) {
+                 return scene.locked(
+                     [](const auto& own) { return names_of(own.scene()->materials); });
+             })
+        .def("lights",
+             [](SceneObject& scene) {
+                 return scene.locked([](const auto& own) { return names_of(own.scene()->lights); });
+             })
+        .def("copy", &copy)
         .def("axes",
              [](const SceneObject& scene) { return scene.axes == Axes::y_up ? "y_up" : "z_up"; })
         .def("time",

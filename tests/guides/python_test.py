@@ -56,6 +56,13 @@ class PythonGuide(guide.GuideTest):
         found = re.search(r"within (\S+) of the hits", self.output_of("python3 layers.py"))
         self.assertLess(float(found[1]), 1e-5)  # roundings of floats of size 4
 
+    def test_copies_of_a_room_have_boxes(self):
+        shown = self.output_of("python3 boxes.py")
+        for number in range(3):
+            found = re.search(rf"picture {number} shows floor, ceiling, walls, (.*)", shown)
+            self.assertLessEqual(set(found[1].split(", ")), {f"box {i}" for i in range(4)})
+        self.assertIn("the room has floor, ceiling, walls\n", shown)
+
     def test_the_measured_camera_is_the_original(self):
         self.assertIn("20 columns and 20 rows", self.output_of("python3 measure.py"))
         self.assertIn("no errors", self.output_of("balcony check measured.cam"))
