@@ -96,12 +96,16 @@ struct StMapWritten {
     Diagnostics problems{};
 };
 
+/// What is known to be wrong with the file of a map before it is written: its folder, its
+/// extension, which is .exr.
+[[nodiscard]] Diagnostics check_st_map_file(const std::filesystem::path& file);
+
 /// Writes an EXR file of 32-bit floats: red is s and green is t of each pixel's centre, blue is 0,
 /// alpha is 1 where the photo shows the pixel and otherwise 0, like the rest.
 [[nodiscard]] StMapWritten write_st_map(const StMap& map, const std::filesystem::path& file,
                                         const std::stop_token& stop = {});
 
-/// A photo as it is read. Copies share its pixels.
+/// A photo as it is read, or by photo_of() of photo_arrays.hpp. Copies share its pixels.
 class Photo {
 public:
     /// In any format that images::ImageFile opens.
@@ -113,6 +117,7 @@ public:
     [[nodiscard]] bool is_deep() const;
 
     struct Pixels;
+    [[nodiscard]] static Photo of(Pixels pixels);
     [[nodiscard]] const Pixels& pixels() const { return *pixels_; }
 
 private:

@@ -21,6 +21,19 @@ MapRows map_rows(const StMap& map, const RowSpan& span, const PixelOfPlace& pixe
     return rows;
 }
 
+MapPixels map_pixels(const StMap& map, const PixelOfPlace& pixel, const std::stop_token& stop) {
+    MapPixels made;
+    made.complete = run_in_order<MapRows>(
+        map.width(), map.height(), [&](const RowSpan& span) { return map_rows(map, span, pixel); },
+        [&](const MapRows& rows) {
+            made.valid += rows.valid;
+            made.values.insert(made.values.end(), rows.values.begin(), rows.values.end());
+            return true;
+        },
+        stop);
+    return made;
+}
+
 StMapWritten write_map_to_exr(const StMap& map, const std::filesystem::path& file,
                               const PixelOfPlace& pixel, const std::stop_token& stop) {
     OutputFile output(file);

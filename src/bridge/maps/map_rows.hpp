@@ -28,6 +28,15 @@ using PixelOfPlace = std::function<std::array<float, 4>(const SourcePlace&)>;
 
 [[nodiscard]] MapRows map_rows(const StMap& map, const RowSpan& span, const PixelOfPlace& pixel);
 
+/// The pixels of all places.
+struct MapPixels {
+    std::size_t valid = 0;  ///< As MapRows::valid.
+    bool complete = false;  ///< Otherwise a stop ended it.
+    std::vector<float> values{};
+};
+[[nodiscard]] MapPixels map_pixels(const StMap& map, const PixelOfPlace& pixel,
+                                   const std::stop_token& stop);
+
 /// Writes the pixels of all places to an EXR file, which is complete or unchanged.
 [[nodiscard]] StMapWritten write_map_to_exr(const StMap& map, const std::filesystem::path& file,
                                             const PixelOfPlace& pixel, const std::stop_token& stop);

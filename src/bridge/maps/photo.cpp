@@ -4,11 +4,17 @@
 #include "bridge/maps/photo.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cassert>
+#include <limits>
 #include <span>
+#include <type_traits>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "balcony/images.hpp"
+#include "balcony/photo_arrays.hpp"
 
 namespace balcony::bridge {
 
@@ -47,6 +53,28 @@ struct PhotoForm {
     static float finite(float value) { return std::isfinite(value) ? value : 0.0F; }
 };
 
+template <class Number>
+Photo::Pixels pixels_of(std::span<const Number> numbers, const PixelForm& form) {
+    constexpr bool is_float = std::is_floating_point_v<Number>;
+    constexpr float most = is_float ? 1.0F : static_cast<float>(std::numeric_limits<Number>::max());
+    assert(numbers.size() == form.width * form.height * form.channels && form.channels >= 1 &&
+           form.channels <= 4);
+    Photo::Pixels made{.width = form.width,
+                       .height = form.height,
+                       .deep = !is_float && sizeof(Number) > 1,
+                       .linear = is_float};
+    made.values.reserve(4 * form.width * form.height);
+    const PhotoForm photo{form.channels, is_float, !is_float};
+    std::array<float, 4> pixel{};
+    for (std::size_t i = 0; i < numbers.size(); i += form.channels) {
+        const auto own = numbers.subspan(i, form.channels);
+        std::transform(own.begin(), own.end(), pixel.begin(),
+                       [](Number number) { return static_cast<float>(number) / most; });
+        photo.add(pixel.data(), made.values);
+    }
+    return made;
+}
+
 }  // namespace
 
 Result<Photo> Photo::load(const std::filesystem::path& file) {
@@ -60,6 +88,7 @@ Result<Photo> Photo::load(const std::filesystem::path& file) {
     made->width = input.width();
     made->height = input.height();
     made->deep = !input.has_bytes() && !input.is_float();
+    made->linear = input.is_float();
     made->values.reserve(4 * made->width * made->height);
     const PhotoForm form{input.channels(), input.is_float(),
                          input.unassociated_alpha().has_value()};
@@ -76,6 +105,18 @@ Result<Photo> Photo::load(const std::filesystem::path& file) {
         }
     }
     return Photo(std::move(made));
+}
+
+Photo Photo::of(Pixels pixels) { return Photo(std::make_shared<const Pixels>(std::move(pixels))); }
+
+Photo photo_of(std::span<const std::uint8_t> pixels, const PixelForm& form) {
+    return Photo::of(pixels_of(pixels, form));
+}
+Photo photo_of(std::span<const std::uint16_t> pixels, const PixelForm& form) {
+    return Photo::of(pixels_of(pixels, form));
+}
+Photo photo_of(std::span<const float> pixels, const PixelForm& form) {
+    return Photo::of(pixels_of(pixels, form));
 }
 
 std::size_t Photo::width() const { return pixels_->width; }

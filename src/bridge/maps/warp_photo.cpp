@@ -1,14 +1,15 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
+#include <cstdint>
+#include <utility>
 
 #include "balcony/display_file.hpp"
 #include "balcony/images.hpp"
 #include "balcony/output_file.hpp"
+#include "balcony/photo_arrays.hpp"
+#include "balcony/progress.hpp"
 #include "balcony/st_maps.hpp"
 #include "bridge/maps/map_rows.hpp"
 #include "bridge/maps/photo.hpp"
@@ -29,29 +30,6 @@ PixelOfPlace light_of(const images::FilteredImage& photo) {
         }
         return light;
     };
-}
-
-// sRGB with straight alpha, or over black in a format without alpha.
-template <class Sample>
-std::vector<Sample> display_samples(const std::vector<float>& values, bool alpha) {
-    constexpr auto most = static_cast<float>(std::numeric_limits<Sample>::max());
-    const auto sample = [](float value) {
-        return static_cast<Sample>(std::lround(std::clamp(value, 0.0F, 1.0F) * most));
-    };
-    std::vector<Sample> samples;
-    samples.reserve(values.size());
-    for (std::size_t i = 0; i < values.size(); i += 4) {
-        const float opacity = values[i + 3];
-        for (std::size_t k = 0; k < 3; ++k) {
-            const float straight =
-                alpha && opacity > 0.0F ? values[i + k] / opacity : values[i + k];
-            samples.push_back(sample(display_from_linear(straight)));
-        }
-        if (alpha) {
-            samples.push_back(sample(opacity));
-        }
-    }
-    return samples;
 }
 
 Diagnostics write_display(const std::vector<float>& values, const StMap& map, bool deep,
@@ -85,20 +63,29 @@ StMapWritten warp_photo(const StMap& map, const Photo& photo, const std::filesys
         has_errors(found)) {
         return {.problems = std::move(found)};
     }
-    StMapWritten written;
-    std::vector<float> values;
-    written.complete = run_in_order<MapRows>(
-        map.width(), map.height(), [&](const RowSpan& span) { return map_rows(map, span, pixel); },
-        [&](const MapRows& rows) {
-            written.valid += rows.valid;
-            values.insert(values.end(), rows.values.begin(), rows.values.end());
-            return true;
-        },
-        stop);
+    const MapPixels made = map_pixels(map, pixel, stop);
+    StMapWritten written{.valid = made.valid, .complete = made.complete};
     if (written.complete) {
-        written.problems = write_display(values, map, photo.is_deep(), *format, dpi, file);
+        written.problems = write_display(made.values, map, photo.is_deep(), *format, dpi, file);
     }
     return written;
+}
+
+Result<WarpedPixels> warped_pixels(const StMap& map, const Photo& photo,
+                                   const std::stop_token& stop) {
+    const Photo::Pixels& pixels = photo.pixels();
+    const auto filtered =
+        images::FilteredImage::make({pixels.width, pixels.height, pixels.values}, map.closes());
+    if (!filtered) {
+        return filtered.diagnostics;
+    }
+    MapPixels made = map_pixels(map, light_of(**filtered), stop);
+    if (!made.complete) {
+        return stopped();
+    }
+    return pixels.linear ? WarpedPixels(std::move(made.values))
+           : pixels.deep ? WarpedPixels(display_samples<std::uint16_t>(made.values, true))
+                         : WarpedPixels(display_samples<std::uint8_t>(made.values, true));
 }
 
 }  // namespace balcony::bridge

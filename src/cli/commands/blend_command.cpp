@@ -107,7 +107,7 @@ void make_files(const BlendOptions& options, Answer& answer) {
         }
         projectors.push_back(std::move(*made));
     }
-    const auto source = make_source(options.photo, {}, workspace);
+    const auto source = make_source(options.photo, workspace);
     if (!answer.add(source.diagnostics)) {
         return;
     }

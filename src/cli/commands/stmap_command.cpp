@@ -3,9 +3,6 @@
 
 #include <filesystem>
 
-#include <fmt/format.h>
-
-#include "balcony/output_file.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/interruption.hpp"
 #include "cli/options/command_rows.hpp"
@@ -29,16 +26,10 @@ void check_st_map(StMapOptions& options, const app::GivenWords&, Diagnostics& fo
         found.push_back(error(Kind::usage, "--from-size needs both sides of the photo",
                               "write --from-size 4096x2048"));
     }
-    if (ending_of(options.output) != ".exr") {
-        found.push_back(error(
-            Kind::usage,
-            fmt::format("'{}' is no name for an STMap, whose numbers need floats", options.output),
-            "use a file name that ends in .exr"));
-    }
 }
 
 void make_st_map_file(const StMapOptions& options, Answer& answer) {
-    if (!answer.add(OutputFile::check(options.output))) {
+    if (!answer.add(bridge::check_st_map_file(options.output))) {
         return;
     }
     const SizeRequest& size = options.photo_size;

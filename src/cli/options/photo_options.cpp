@@ -4,10 +4,10 @@
 #include "cli/options/photo_options.hpp"
 
 #include <limits>
-#include <memory>
 #include <utility>
 
-#include "balcony/inverse.hpp"
+#include "balcony/inputs.hpp"
+#include "balcony/photo_maps.hpp"
 #include "cli/options/command_rows.hpp"
 
 namespace balcony::cli {
@@ -20,63 +20,34 @@ std::optional<Value> taken(Result<Value> result, Diagnostics& diagnostics) {
     return std::move(result.value);
 }
 
-Result<bridge::RayGrid> make_grid(const camera::Picture& picture, std::array<std::size_t, 2> size,
-                                  const std::string& layer, double time) {
-    return bridge::RayGrid::make(picture, {.width = size[0],
-                                           .height = size[1],
-                                           .layer = layer,
-                                           .axes = Axes::z_up,
-                                           .time = time,
-                                           .footprints = true});
-}
-
-// A picture with its inverse.
-Result<bridge::SourceCamera> with_inverse(const camera::Picture& picture,
-                                          std::array<std::size_t, 2> size, double time) {
+// What make(picture) makes of the picture of a camera.
+template <class Make>
+Result<bridge::SourceCamera> of_picture(const std::string& camera,
+                                        const std::vector<std::string>& set,
+                                        lang::Workspace& workspace, const Make& make) {
     Diagnostics found;
-    auto grid = taken(make_grid(picture, size, {}, time), found);
-    auto locator = taken(analyse::Locator::make(picture, static_cast<double>(size[0]),
-                                                static_cast<double>(size[1]), time, Axes::z_up),
-                         found);
-    if (!grid || !locator) {
+    const auto picture = taken(load_picture(camera, set, workspace), found);
+    if (!picture) {
         return found;
     }
-    return {bridge::SourceCamera{std::move(*grid),
-                                 std::make_shared<const analyse::Locator>(std::move(*locator))},
-            std::move(found)};
-}
-
-std::array<std::size_t, 2> size_of(const PhotoRequest& request, const camera::Picture& picture) {
-    const auto [width, height] = request.size.resolve(picture.aspect(), picture.parts().size);
-    return {width, height};
+    Result<bridge::SourceCamera> made = make(*picture);
+    made.diagnostics.insert(made.diagnostics.begin(), found.begin(), found.end());
+    return made;
 }
 
 }  // namespace
 
 Result<bridge::SourceCamera> make_wanted(const PhotoRequest& request, lang::Workspace& workspace) {
-    const auto own = load_picture(request.camera, request.set, workspace);
-    if (!own) {
-        return own.diagnostics;
-    }
-    auto made = with_inverse(own->with_fit(request.size.fit), size_of(request, *own), request.time);
-    made.diagnostics.insert(made.diagnostics.begin(), own.diagnostics.begin(),
-                            own.diagnostics.end());
-    return made;
+    return of_picture(request.camera, request.set, workspace, [&](const camera::Picture& picture) {
+        return app::wanted_camera(picture, request.size, request.time);
+    });
 }
 
-// A photo of another aspect is one that was scaled.
-Result<bridge::SourceCamera> make_source(const PhotoRequest& request,
-                                         std::optional<std::array<std::size_t, 2>> photo,
-                                         lang::Workspace& workspace) {
-    const auto own = load_picture(request.from, request.from_set, workspace);
-    if (!own) {
-        return own.diagnostics;
-    }
-    auto made = with_inverse(own->with_fit(camera::Fit::stretch), photo.value_or(size_of({}, *own)),
-                             request.time);
-    made.diagnostics.insert(made.diagnostics.begin(), own.diagnostics.begin(),
-                            own.diagnostics.end());
-    return made;
+Result<bridge::SourceCamera> make_source(const PhotoRequest& request, lang::Workspace& workspace) {
+    return of_picture(request.from, request.from_set, workspace,
+                      [&](const camera::Picture& picture) {
+                          return app::camera_of_photo(picture, {}, request.time);
+                      });
 }
 
 app::Options<PhotoRequest> photo_options() {
@@ -114,22 +85,19 @@ Result<bridge::StMap> make_st_map(const PhotoRequest& request,
                                   lang::Workspace& workspace) {
     Diagnostics found;
     const auto picture = taken(load_picture(request.camera, request.set, workspace), found);
-    const auto source = taken(make_source(request, photo_size, workspace), found);
-    if (!picture || !source) {
+    const auto photo = taken(load_picture(request.from, request.from_set, workspace), found);
+    if (!picture || !photo) {
         return found;
     }
-    const auto grid = taken(make_grid(picture->with_fit(request.size.fit),
-                                      size_of(request, *picture), request.layer, request.time),
-                            found);
-    if (!grid) {
-        return found;
-    }
-    auto map = taken(bridge::StMap::make(*grid, *source,
-                                         request.allow_parallax ? bridge::Parallax::ignore
-                                                                : bridge::Parallax::refuse),
-                     found);
-    return map ? Result<bridge::StMap>(std::move(*map), std::move(found))
-               : Result<bridge::StMap>(std::move(found));
+    auto map = app::photo_map(
+        *picture, *photo,
+        {.size = request.size,
+         .layer = request.layer,
+         .time = request.time,
+         .photo_size = photo_size,
+         .parallax = request.allow_parallax ? bridge::Parallax::ignore : bridge::Parallax::refuse});
+    map.diagnostics.insert(map.diagnostics.begin(), found.begin(), found.end());
+    return map;
 }
 
 }  // namespace balcony::cli

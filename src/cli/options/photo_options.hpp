@@ -34,13 +34,12 @@ struct PhotoRequest {
 /// The same with the layer.
 [[nodiscard]] app::Options<PhotoRequest> photo_options_of_layers();
 
-/// The wanted camera with its inverse, and that of the photo, of a size in pixels or of its own.
-/// The workspace makes them.
+/// The wanted camera with its inverse, and that of the photo in its own size. The workspace makes
+/// them.
 [[nodiscard]] Result<bridge::SourceCamera> make_wanted(const PhotoRequest& request,
                                                        lang::Workspace& workspace);
-[[nodiscard]] Result<bridge::SourceCamera> make_source(
-    const PhotoRequest& request, std::optional<std::array<std::size_t, 2>> photo_size,
-    lang::Workspace& workspace);
+[[nodiscard]] Result<bridge::SourceCamera> make_source(const PhotoRequest& request,
+                                                       lang::Workspace& workspace);
 
 /// The map of a camera for photos of a size in pixels; of their camera's own size if it is nothing.
 /// The workspace makes both cameras.
