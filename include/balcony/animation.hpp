@@ -103,6 +103,9 @@ struct AnimationRequest {
     std::size_t parts_per_frame = 1;
     FramePattern pattern{};             ///< Of the frames' files.
     std::optional<FilmRequest> film{};  ///< That the frames become.
+    /// What tells the picture of PreparedScene::animate() from others, such as the text of its
+    /// camera.
+    std::optional<std::string> identity{};
 
     /// Of the frames, in seconds.
     [[nodiscard]] double time_of(std::size_t frame) const {

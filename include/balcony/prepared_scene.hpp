@@ -78,8 +78,9 @@ public:
 
     /// Renders the frames of a picture, and makes their film, as app::animate() does; the scene is
     /// moved along. Of the request of its frames, what render() does not read is not read here
-    /// either. Frames that are there are rendered again. After a stop, the film is made of the
-    /// frames that are finished.
+    /// either. With an identity, frames are continued that were begun with the same one and the
+    /// same files, unless they are to be overwritten. Without one, frames that are there are
+    /// rendered again, and after a stop, the film is made of the frames that are finished.
     [[nodiscard]] AnimationReport animate(const camera::Picture& picture,
                                           const AnimationRequest& animation,
                                           const Observer& observer = {},

@@ -194,11 +194,12 @@ public:
     /// The points of the request are not used.
     [[nodiscard]] static Result<LocateSession> make(const LocateRequest& request,
                                                     const std::stop_token& stop = {});
-    /// A picture of a size in pixels in a scene. Points are in the axes of the scene.
-    [[nodiscard]] static Result<LocateSession> make(const camera::Picture& picture,
-                                                    const PreparedScene& scene,
-                                                    const std::array<std::size_t, 2>& size,
-                                                    const std::stop_token& stop = {});
+    /// A picture of a size in pixels in a scene. Points are in the axes of the scene. `inverse` is
+    /// that of the picture in this size and at the time of the scene, if it is known already.
+    [[nodiscard]] static Result<LocateSession> make(
+        const camera::Picture& picture, const PreparedScene& scene,
+        const std::array<std::size_t, 2>& size, const std::stop_token& stop = {},
+        const std::optional<analyse::Locator>& inverse = {});
     LocateSession(LocateSession&&) noexcept;
     LocateSession& operator=(LocateSession&&) noexcept;
     ~LocateSession();

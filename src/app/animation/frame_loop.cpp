@@ -4,6 +4,7 @@
 #include "app/animation/frame_loop.hpp"
 
 #include <algorithm>
+#include <span>
 #include <system_error>
 #include <utility>
 
@@ -16,6 +17,7 @@
 #include "app/picture/paused_run.hpp"
 #include "app/picture/picture_facts.hpp"
 #include "app/words.hpp"
+#include "balcony/content_hash.hpp"
 #include "balcony/motion.hpp"
 
 namespace balcony::app {
@@ -38,6 +40,11 @@ render::RenderFacts frame_facts(const AnimationRequest& animation, const FrameNu
     facts.insert(facts.end(), options.begin(), options.end());
     if (animation.turntable) {
         facts.push_back({"--frames", text_of(frames)});
+    }
+    if (animation.identity) {
+        ContentHash hash;
+        hash.add(std::as_bytes(std::span(*animation.identity)));
+        facts.push_back({"the camera", fmt::format("#{:016x}", hash.value())});
     }
     const render::RenderFacts hashes = facts_of(files);
     facts.insert(facts.end(), hashes.begin(), hashes.end());

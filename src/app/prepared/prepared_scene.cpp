@@ -170,7 +170,7 @@ AnimationReport PreparedScene::animate(const camera::Picture& picture,
     AnimationReport report;
     Diagnostics& found = report.diagnostics;
     AnimationRequest own = animation;
-    own.overwrite = true;
+    own.overwrite = own.overwrite || !own.identity;
     within_memory(found, [&] {
         if (add(found, check_frames(own))) {
             return;
@@ -185,7 +185,7 @@ AnimationReport PreparedScene::animate(const camera::Picture& picture,
             render_frames(own, loaded, *scaled, observer, stop, report);
         }
         report.interrupted |= kind_of_errors(found) == Kind::interrupted;
-        if (report.interrupted && own.film) {
+        if (report.interrupted && own.film && !own.identity) {
             end_film(own, observer, report);
         }
     });

@@ -96,6 +96,13 @@ std::optional<Prepared> prepare(const LocateRequest& request, const std::stop_to
     return renderer ? std::optional(Prepared{scene, std::move(*renderer)}) : std::nullopt;
 }
 
+Result<analyse::Locator> locator_of(const camera::Picture& picture, const Located& size,
+                                    const std::optional<Axes>& axes, double time,
+                                    const std::stop_token& stop) {
+    return analyse::Locator::make(picture, static_cast<double>(size.width),
+                                  static_cast<double>(size.height), time, axes, {}, stop);
+}
+
 Result<camera::Picture> picture_in(const Prepared& prepared, const LocateRequest& request,
                                    lang::Workspace& cameras, const std::stop_token& stop) {
     if (is_of_scene(request.camera) || !request.placement.places(request.camera)) {
@@ -125,9 +132,11 @@ struct LocateSession::State {
     bool any_seen = false;
 
     /// `found` has the size, and what decided on the axes.
-    [[nodiscard]] static Result<std::unique_ptr<State>> make(
-        camera::Picture picture, std::optional<Prepared> prepared, Located found,
-        const std::optional<Axes>& axes, double time, const std::stop_token& stop);
+    [[nodiscard]] static Result<std::unique_ptr<State>> make(camera::Picture picture,
+                                                             std::optional<Prepared> prepared,
+                                                             Located found,
+                                                             Result<analyse::Locator> locator,
+                                                             double time);
 };
 
 Diagnostic searched_in_part(std::size_t points) {
@@ -173,8 +182,9 @@ Result<LocateSession> LocateSession::make(const LocateRequest& request,
         request.size.resolve(picture->aspect(), picture->parts().size);
     std::vector<std::filesystem::path> files = workspace.files();
     files.emplace_back(request.scene);
-    auto state = State::make(std::move(*picture), std::move(prepared), std::move(found), axes,
-                             request.time, stop);
+    auto locator = locator_of(*picture, found, axes, request.time, stop);
+    auto state = State::make(std::move(*picture), std::move(prepared), std::move(found),
+                             std::move(locator), request.time);
     add(diagnostics, state.diagnostics);
     if (!state) {
         return diagnostics;
@@ -186,23 +196,26 @@ Result<LocateSession> LocateSession::make(const LocateRequest& request,
 Result<LocateSession> LocateSession::make(const camera::Picture& picture,
                                           const PreparedScene& scene,
                                           const std::array<std::size_t, 2>& size,
-                                          const std::stop_token& stop) {
+                                          const std::stop_token& stop,
+                                          const std::optional<analyse::Locator>& inverse) {
     Located found;
     found.axes_from = AxesSource::scene;
     found.width = size[0];
     found.height = size[1];
+    const Axes axes = scene.scene()->axes;
+    const double time = scene.settings().time;
+    auto locator =
+        inverse ? Result<analyse::Locator>(*inverse) : locator_of(picture, found, axes, time, stop);
     auto state = State::make(picture, Prepared{scene.scene(), scene.renderer()}, std::move(found),
-                             scene.scene()->axes, scene.settings().time, stop);
+                             std::move(locator), time);
     return state ? Result<LocateSession>({LocateSession(std::move(*state)), state.diagnostics})
                  : Result<LocateSession>(state.diagnostics);
 }
 
 Result<std::unique_ptr<LocateSession::State>> LocateSession::State::make(
     camera::Picture picture, std::optional<Prepared> prepared, Located found,
-    const std::optional<Axes>& axes, double time, const std::stop_token& stop) {
+    Result<analyse::Locator> locator, double time) {
     found.camera = picture.name();
-    auto locator = analyse::Locator::make(picture, static_cast<double>(found.width),
-                                          static_cast<double>(found.height), time, axes, {}, stop);
     Diagnostics diagnostics = locator.diagnostics;
     if (!locator) {
         return diagnostics;
