@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 Value = Union[float, int, str, tuple, list]
 """Of a parameter: a number, in radians if it is an angle, an expression of the camera language, or a
 tuple or a list of these."""
+Size = Union[int, tuple[int, int]]
+"""Of a picture in pixels: width and height, or the width alone."""
 
 
 class Parameter(NamedTuple):
@@ -89,6 +91,34 @@ class Sightings(NamedTuple):
     """(m, 3), float64: where the ray begins."""
     distance: np.ndarray
     """(m,), float64: from there to the point, in scene units."""
+
+
+class Located(NamedTuple):
+    """Where a picture of a scene shows points, and what hides them: each sighting is one place."""
+
+    point: np.ndarray
+    """(m,), int64: as of `Sightings`, as are the next four."""
+    layer: np.ndarray
+    position: np.ndarray
+    origin: np.ndarray
+    distance: np.ndarray
+    obstacle: np.ndarray
+    """(m,), int64: the first opaque object on the way to the point, an index into `objects`; -1 if the
+    point is seen."""
+    obstacle_distance: np.ndarray
+    """(m,), float64: from the origin of the ray to the obstacle; NaN without one."""
+    objects: list[str]
+    """The names of the objects of the scene."""
+
+    @property
+    def hidden(self) -> np.ndarray:
+        """(m,), bool."""
+        return self.obstacle >= 0
+
+    @property
+    def hidden_by(self) -> list[str | None]:
+        """The name of each obstacle."""
+        return [None if one < 0 else self.objects[one] for one in self.obstacle.tolist()]
 
 
 class Jacobian(NamedTuple):
@@ -238,6 +268,12 @@ class Camera:
         """All places at which a picture of this size shows points of space, an array (n, 3)."""
         return Sightings(*_balcony.sightings(self._camera, points, size, axes, time, _object(scene)))
 
+    def locate(self, points, scene: Scene, *, size: tuple[int, int]) -> Located:
+        """All places at which a picture of a scene shows points, an array (n, 3) in its axes, and what hides
+        them there, as `balcony locate` says it."""
+        sightings, *obstacles = _balcony.locate(self._camera, points, size, scene._scene)
+        return Located(*sightings, *obstacles)
+
     def jacobian(self, points, by: list[str] | None = None, *, size: tuple[int, int], layer: int = 0,
                  axes: str | None = None, time: float = 0.0,
                  scene: Scene | None = None) -> Jacobian:
@@ -267,6 +303,27 @@ class Camera:
         _balcony.save_rays(self._camera, os.fspath(file), (width, height), str(layer), axes, time,
                            _object(scene), footprints)
 
+    def stmap(self, source: Camera | str | os.PathLike, *, size: Size | None = None, layer: str = "",
+              time: float = 0.0, photo_size: tuple[int, int] | None = None,
+              allow_parallax: bool = False) -> np.ndarray:
+        """From which place of a photo each pixel comes if the camera `source` took it: the numbers of an
+        STMap, an array (height, width, 4) of float32.
+
+        The first two are the place: from 0 at the left to 1 at the right, and from 0 at the bottom to 1 at
+        the top. The last is 1 where the photo shows the pixel; the others are 0 elsewhere. `size` is that of
+        this camera's picture: width and height, or the width. `photo_size` matters to cameras that adapt to
+        it. `warp` applies such a map to a photo.
+        """
+        return _balcony.st_map(self._camera, camera_of(source)._camera, sides_of(size), str(layer), time,
+                               photo_size, allow_parallax)
+
+    def save_stmap(self, file: str | os.PathLike, source: Camera | str | os.PathLike, *,
+                   size: Size | None = None, layer: str = "", time: float = 0.0,
+                   photo_size: tuple[int, int] | None = None, allow_parallax: bool = False) -> None:
+        """Writes an STMap, as `balcony stmap` does: .exr with 32-bit floats."""
+        _balcony.save_st_map(self._camera, camera_of(source)._camera, os.fspath(file), sides_of(size),
+                             str(layer), time, photo_size, allow_parallax)
+
     # -------------------------------------------------------------------------------- studies
 
     def check(self, scene: Scene | None = None, *,
@@ -291,6 +348,19 @@ class Camera:
 
     def _repr_svg_(self) -> str:
         return self._camera.drawing()
+
+
+def camera_of(camera: Camera | str | os.PathLike) -> Camera:
+    """A camera that is named or given."""
+    return camera if isinstance(camera, Camera) else Camera(camera)
+
+
+def sides_of(size: Size | None) -> tuple[int | None, int | None]:
+    """Width and height of a size; None for what follows from the aspect."""
+    sides = tuple(size) if isinstance(size, (tuple, list)) else (size, None)
+    if len(sides) != 2 or not all(one is None or hasattr(one, "__index__") for one in sides):
+        raise TypeError(f"'size' is {size!r}, but a width or (width, height) is needed, in pixels")
+    return sides
 
 
 def _object(scene: Scene | None):

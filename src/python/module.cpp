@@ -32,4 +32,5 @@ PYBIND11_MODULE(_balcony, module) {
     python::define_cameras(module);
     python::define_rays(module);
     python::define_exports(module);
+    python::define_studies(module);
 }

@@ -26,23 +26,31 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-// What make(picture) makes for a query, or what was made for it last.
+// What make(picture) makes for a query, or what was made for it last. The camera and the scene are
+// locked.
 template <class Made, class Make>
-Result<Made> kept(Last<Made> CameraObject::*last, CameraObject& camera, const PictureQuery& query,
-                  const std::stop_token& stop, const Make& make) {
-    const Locked locked(camera, query.scene);
+Result<Made> kept_in_lock(Last<Made> CameraObject::*last, CameraObject& camera,
+                          const PictureQuery& query, const std::stop_token& stop,
+                          const Make& make) {
     return (camera.*last).get(query, camera.changes, [&]() -> Result<Made> {
         auto picture = camera.picture(query.scene, stop);
         return picture ? make(*picture) : Result<Made>(std::move(picture.diagnostics));
     });
 }
 
+Result<analyse::Locator> locator_in_lock(CameraObject& camera, const PictureQuery& query,
+                                         const std::stop_token& stop) {
+    return kept_in_lock(
+        &CameraObject::locator, camera, query, stop, [&](const camera::Picture& picture) {
+            return analyse::Locator::make(picture, query.width(), query.height(), query.rays.time,
+                                          query.rays.axes, {}, stop);
+        });
+}
+
 Result<analyse::Locator> locator_of(CameraObject& camera, const PictureQuery& query,
                                     const std::stop_token& stop) {
-    return kept(&CameraObject::locator, camera, query, stop, [&](const camera::Picture& picture) {
-        return analyse::Locator::make(picture, query.width(), query.height(), query.rays.time,
-                                      query.rays.axes, {}, stop);
-    });
+    const Locked locked(camera, query.scene);
+    return locator_in_lock(camera, query, stop);
 }
 
 // The arrays of some rays, which have this shape: origins, directions, valid, parameters,
@@ -130,11 +138,8 @@ py::array_t<Number> column_of(const std::vector<analyse::Sighting>& sightings, s
     return made;
 }
 
-py::tuple sightings_of(const CameraPointer& camera, const py::object& points,
-                       const std::array<std::size_t, 2>& size, const py::object& axes, double time,
-                       const ScenePointer& scene) {
-    const Rows rows = python::rows_of(points, "points", {3});
-    const auto all = sightings_in(camera, query_of(size, "", axes, time, scene), rows);
+// Point, layer, position, origin and distance.
+py::tuple columns_of(const std::vector<analyse::Sighting>& all) {
     using One = analyse::Sighting;
     return py::make_tuple(
         column_of<std::int64_t>(
@@ -153,6 +158,60 @@ py::tuple sightings_of(const CameraPointer& camera, const py::object& points,
                               at[2] = one.origin.z;
                           }),
         column_of<double>(all, 1, [](const One& one, double* at) { *at = one.distance; }));
+}
+
+py::tuple sightings_of(const CameraPointer& camera, const py::object& points,
+                       const std::array<std::size_t, 2>& size, const py::object& axes, double time,
+                       const ScenePointer& scene) {
+    const Rows rows = python::rows_of(points, "points", {3});
+    return columns_of(sightings_in(camera, query_of(size, "", axes, time, scene), rows));
+}
+
+Result<app::Located> located(CameraObject& camera, PictureQuery query, const Rows& rows,
+                             const std::stop_token& stop) {
+    const ScenePointer& scene = query.scene;
+    const Locked locked(camera, scene);
+    query.rays.time = scene->scene.settings().time;
+    const auto picture = camera.picture(scene, stop);
+    const auto inverse =
+        picture ? locator_in_lock(camera, query, stop) : Result<analyse::Locator>();
+    if (!picture || !inverse) {
+        return picture ? inverse.diagnostics : picture.diagnostics;
+    }
+    auto session = app::LocateSession::make(*picture, scene->scene,
+                                            {query.rays.width, query.rays.height}, stop, *inverse);
+    if (!session) {
+        return session.diagnostics;
+    }
+    const std::span<const Imath::V3d> places = rows.places();
+    auto found = session->locate({places.begin(), places.end()}, stop);
+    if (found) {
+        const Diagnostics more = session->finish(stop);
+        found.diagnostics.insert(found.diagnostics.end(), more.begin(), more.end());
+    }
+    return found;
+}
+
+// Sightings, the object that hides each, or -1, and where on its ray, and the names of all objects.
+py::tuple located_of(const CameraPointer& camera, const py::object& points,
+                     const std::array<std::size_t, 2>& size, const ScenePointer& scene) {
+    const Rows rows = python::rows_of(points, "points", {3});
+    const PictureQuery query = query_of(size, "", py::none(), 0.0, scene);
+    const auto found = take(
+        made_by([&](const std::stop_token& stop) { return located(*camera, query, rows, stop); }));
+    const auto count = static_cast<py::ssize_t>(found.sightings.size());
+    py::array_t<std::int64_t> objects(Shape{count});
+    py::array_t<double> distances(Shape{count});
+    for (std::size_t i = 0; i < found.sightings.size(); ++i) {
+        const auto& obstacle = (*found.obstacles)[i];
+        objects.mutable_data()[i] = obstacle ? static_cast<std::int64_t>(obstacle->object) : -1;
+        distances.mutable_data()[i] = obstacle ? obstacle->distance : none;
+    }
+    std::vector<std::string> names;
+    for (const scene::Object& object : found.objects) {
+        names.push_back(object.name);
+    }
+    return py::make_tuple(columns_of(found.sightings), objects, distances, names);
 }
 
 py::array_t<double> project(const CameraPointer& camera, const py::object& points,
@@ -223,9 +282,10 @@ PictureQuery query_of(const std::array<std::size_t, 2>& size, const std::string&
 
 Result<bridge::RayGrid> grid_of(CameraObject& camera, const PictureQuery& query,
                                 const std::stop_token& stop) {
-    return kept(&CameraObject::grid, camera, query, stop, [&](const camera::Picture& picture) {
-        return bridge::RayGrid::make(picture, query.rays);
-    });
+    const Locked locked(camera, query.scene);
+    return kept_in_lock(
+        &CameraObject::grid, camera, query, stop,
+        [&](const camera::Picture& picture) { return bridge::RayGrid::make(picture, query.rays); });
 }
 
 void define_rays(py::module_& module) {
@@ -236,6 +296,8 @@ void define_rays(py::module_& module) {
                py::arg("axes"), py::arg("time"), py::arg("scene"));
     module.def("sightings", &sightings_of, py::arg("camera"), py::arg("points"), py::arg("size"),
                py::arg("axes"), py::arg("time"), py::arg("scene"));
+    module.def("locate", &located_of, py::arg("camera"), py::arg("points"), py::arg("size"),
+               py::arg("scene").none(false));
     module.def("jacobian", &jacobian, py::arg("camera"), py::arg("points"), py::arg("by"),
                py::arg("size"), py::arg("layer"), py::arg("axes"), py::arg("time"),
                py::arg("scene"));

@@ -3,8 +3,6 @@
 
 // Scenes, and pictures of them.
 
-#include <atomic>
-
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
@@ -14,6 +12,7 @@
 #include "python/diagnostics.hpp"
 #include "python/objects.hpp"
 #include "python/running.hpp"
+#include "python/told.hpp"
 #include "python/words.hpp"
 
 namespace balcony::python {
@@ -48,31 +47,13 @@ ScenePointer copy(const ScenePointer& scene) {
         scene->locked([](const app::PreparedScene& own) { return own.share(); }), scene->request);
 }
 
-// How far a render is, told to a function of Python by the thread that called.
-class ToldProgress {
-public:
-    explicit ToldProgress(py::object tell) : tell_(std::move(tell)) {}
-
-    [[nodiscard]] app::Observer observer() {
-        app::Observer made;
-        made.progress = [this](const render::Progress& progress) {
-            done_ = static_cast<double>(progress.tiles_done) / static_cast<double>(progress.tiles);
-        };
-        return made;
-    }
-    void operator()() {
-        const double done = done_;
-        if (!tell_.is_none() && done != told_) {
-            told_ = done;
-            tell_(done);
-        }
-    }
-
-private:
-    py::object tell_;
-    std::atomic<double> done_ = 0.0;
-    double told_ = 0.0;
-};
+app::Observer observer_of(ToldPart& told) {
+    app::Observer made;
+    made.progress = [&told](const render::Progress& progress) {
+        told.set(static_cast<double>(progress.tiles_done) / static_cast<double>(progress.tiles));
+    };
+    return made;
+}
 
 struct Rendered {
     app::Report report;
@@ -118,8 +99,8 @@ PictureObject render(const ScenePointer& scene, const CameraPointer& camera,
     app::Request request = scene->request;
     request.camera = of_scene;
     read_options(options, OptionUse::picture, request);
-    ToldProgress told(progress);
-    const app::Observer observer = told.observer();
+    ToldPart told(progress);
+    const app::Observer observer = observer_of(told);
     Rendered made = made_by(
         [&](const std::stop_token& stop) {
             return rendered(scene, camera, request, observer, stop);

@@ -8,6 +8,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -107,28 +108,42 @@ std::vector<std::string> words_of(const app::OptionInfo& row, const py::handle& 
     return words;
 }
 
-Diagnostic unknown_option(const std::string& name, const app::Options<app::Request>& options) {
+template <class Target>
+Diagnostic unknown_option(const std::string& name, const app::Options<Target>& options,
+                          std::string_view command) {
     std::vector<std::string> names;
     for (const app::OptionInfo& row : options.rows) {
         names.push_back(row.name.substr(2));
     }
-    return error(Kind::usage, fmt::format("there is no option '{}'", name),
-                 did_you_mean(name, names, "docs/command.md lists the options of balcony render"));
+    return error(
+        Kind::usage, fmt::format("there is no option '{}'", name),
+        did_you_mean(name, names,
+                     fmt::format("docs/command.md lists the options of balcony {}", command)));
+}
+
+template <class Target>
+void add_names(const app::Options<Target>& options, std::set<std::string>& names) {
+    for (const app::OptionInfo& row : options.rows) {
+        names.insert(row.name);
+    }
 }
 
 // Whether a scene is loaded by an option, and does not change afterwards.
 bool is_of_scene(const std::string& name) {
     static const std::set<std::string> names = [] {
         std::set<std::string> made{"--time", "--texture-memory", "--emission-scale"};
-        for (const auto& row : app::scene_options().rows) {
-            made.insert(row.name);
-        }
-        for (const auto& row : app::lamp_options().rows) {
-            made.insert(row.name);
-        }
-        for (const auto& row : app::shutter_options().rows) {
-            made.insert(row.name);
-        }
+        add_names(app::scene_options(), made);
+        add_names(app::lamp_options(), made);
+        return made;
+    }();
+    return names.contains(name);
+}
+
+// The frames of an animation have a shutter of their own.
+bool is_of_shutter(const std::string& name) {
+    static const std::set<std::string> names = [] {
+        std::set<std::string> made;
+        add_names(app::shutter_options(), made);
         return made;
     }();
     return names.contains(name);
@@ -137,13 +152,54 @@ bool is_of_scene(const std::string& name) {
 // An option that is given elsewhere in Python is an error that says so.
 void check_use(const std::string& name, OptionUse use) {
     const bool is_of_camera = name == "--camera" || name == "--set" || name == "--solve";
-    if (is_of_camera || (use == OptionUse::picture && is_of_scene(name))) {
+    const bool is_of_load =
+        use != OptionUse::scene &&
+        (is_of_scene(name) || (use == OptionUse::picture && is_of_shutter(name)));
+    if (is_of_camera || is_of_load) {
         tell({error(Kind::usage,
-                    fmt::format("'{}' is no option of a {}", name.substr(2),
-                                use == OptionUse::picture ? "picture" : "scene"),
+                    fmt::format("'{}' is no option of {}", name.substr(2),
+                                use == OptionUse::scene     ? "a scene"
+                                : use == OptionUse::picture ? "a picture"
+                                                            : "an animation"),
                     is_of_camera ? "give parameters to camera(), and the camera to render()"
                                  : "give it to load()")});
     }
+}
+
+// The name of a row.
+std::string row_name(std::string name) {
+    std::replace(name.begin(), name.end(), '_', '-');
+    return "--" + name;
+}
+
+// The request is that of the target.
+template <class Target>
+void read_rows(const py::dict& options, const app::Options<Target>& known, OptionUse use,
+               app::Request& request, Target& target) {
+    app::GivenWords given;
+    for (const auto& [key, value] : options) {
+        const std::string name = row_name(key.template cast<std::string>());
+        const auto row = std::find_if(known.rows.begin(), known.rows.end(),
+                                      [&](const app::OptionInfo& one) { return one.name == name; });
+        if (row == known.rows.end()) {
+            tell({unknown_option(name.substr(2), known,
+                                 use == OptionUse::frames ? "animate" : "render")});
+        }
+        if (value.is_none()) {
+            continue;
+        }
+        check_use(row->name, use);
+        std::vector<std::string> words = words_of(*row, value);
+        if (!words.empty()) {
+            given[row->name] = std::move(words);
+        }
+    }
+    // Options that place a camera are those of a scene, whose cameras come later.
+    const std::string camera = std::exchange(request.camera, "pinhole");
+    Diagnostics found;
+    known.read(given, target, found);
+    request.camera = camera;
+    tell(found);
 }
 
 }  // namespace
@@ -164,33 +220,14 @@ std::vector<lang::Override> values_of(
 }
 
 void read_options(const py::dict& options, OptionUse use, app::Request& request) {
-    const app::Options<app::Request> known = app::request_options();
-    app::GivenWords given;
-    for (const auto& [key, value] : options) {
-        std::string name = key.cast<std::string>();
-        std::replace(name.begin(), name.end(), '_', '-');
-        const auto row =
-            std::find_if(known.rows.begin(), known.rows.end(),
-                         [&](const app::OptionInfo& one) { return one.name == "--" + name; });
-        if (row == known.rows.end()) {
-            tell({unknown_option(name, known)});
-        }
-        if (value.is_none()) {
-            continue;
-        }
-        check_use(row->name, use);
-        std::vector<std::string> words = words_of(*row, value);
-        if (!words.empty()) {
-            given[row->name] = std::move(words);
-        }
-    }
-    // Options that place a camera are those of a scene, whose cameras come later.
-    const std::string camera = std::exchange(request.camera, "pinhole");
-    Diagnostics found;
-    known.read(given, request, found);
-    request.camera = camera;
-    tell(found);
+    read_rows(options, app::request_options(), use, request, request);
 }
+
+void read_options(const py::dict& options, app::AnimationRequest& animation) {
+    read_rows(options, app::animation_options(), OptionUse::frames, animation.picture, animation);
+}
+
+bool is_scene_option(const std::string& name) { return is_of_scene(row_name(name)); }
 
 std::optional<Axes> axes_of(const py::object& name) {
     if (name.is_none()) {

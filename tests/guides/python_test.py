@@ -63,6 +63,15 @@ class PythonGuide(guide.GuideTest):
             self.assertLessEqual(set(found[1].split(", ")), {f"box {i}" for i in range(4)})
         self.assertIn("the room has floor, ceiling, walls\n", shown)
 
+    def test_a_point_behind_the_wall_is_hidden(self):
+        output = self.output_of("python3 photo.py")
+        self.assertIn("160 x 90 pixels of uint8", output)
+        self.assertEqual(re.findall(r": (.*)$", output, re.MULTILINE), ["seen", "hidden by walls"])
+
+    def test_an_animation_has_its_frames(self):
+        self.assertEqual(self.output_of("python3 turn.py").strip(),
+                         "turn.01.png, turn.02.png, turn.03.png, turn.04.png")
+
     def test_the_measured_camera_is_the_original(self):
         self.assertIn("20 columns and 20 rows", self.output_of("python3 measure.py"))
         self.assertIn("no errors", self.output_of("balcony check measured.cam"))
