@@ -18,19 +18,22 @@ them.
 
 import atexit as _atexit
 
-from . import _balcony
+from . import _balcony, formulas, stages
 from ._cameras import (Camera, Finding, Jacobian, Located, Parameter, Rays, Sightings, Solution, camera,
                        cameras, export_languages, solve)
+from ._compose import compose, path
 from ._pictures import Picture
+from ._sampled import Sampled, from_rays
 from ._scene_parts import Light, Material, Object, Property
 from ._scenes import Scene, load, render
 from ._studies import animate, warp
+from .formulas import parameter
 from .errors import (BalconyWarning, Error, InputError, InternalError, Interrupted, MachineError,
                      UsageError)
 
 __version__ = _balcony.version
 __all__ = ["BalconyWarning", "Camera", "Error", "Finding", "InputError", "InternalError", "Interrupted",
            "Jacobian", "Light", "Located", "MachineError", "Material", "Object", "Parameter", "Picture",
-           "Property", "Rays", "Scene", "Sightings", "Solution", "UsageError", "animate", "camera",
-           "cameras", "export_languages", "load", "render", "solve", "warp"]
-_atexit.register(_balcony.stop_all)
+           "Property", "Rays", "Sampled", "Scene", "Sightings", "Solution", "UsageError", "animate",
+           "camera", "cameras", "compose", "export_languages", "from_rays", "load", "parameter", "path",
+           "render", "solve", "warp"]_atexit.register(_balcony.stop_all)

@@ -32,5 +32,6 @@ PYBIND11_MODULE(_balcony, module) {
     python::define_cameras(module);
     python::define_rays(module);
     python::define_exports(module);
+    python::define_stages(module);
     python::define_studies(module);
 }

@@ -132,6 +132,7 @@ void define_exports(pybind11::module_& module);
 void define_scenes(pybind11::module_& module);
 void define_scene_edits(pybind11::module_& module);
 void define_pictures(pybind11::module_& module);
+void define_stages(pybind11::module_& module);
 void define_studies(pybind11::module_& module);
 
 }  // namespace balcony::python

@@ -63,6 +63,24 @@ class PythonGuide(guide.GuideTest):
             self.assertLessEqual(set(found[1].split(", ")), {f"box {i}" for i in range(4)})
         self.assertIn("the room has floor, ceiling, walls\n", shown)
 
+    def test_the_composed_camera_is_that_of_its_text(self):
+        text = self.output_of("python3 flight.py")
+        self.assertIn("camera flight(radius = 0.5 above 0) {", text)
+        self.assertIn("toward torus(5*radius, 1)", text)
+        self.assertIn("no errors", self.output_of("balcony check flight.cam"))
+
+    def test_a_formula_of_python_is_one_of_the_language(self):
+        output = self.output_of("python3 ripple.py")
+        self.assertIn("eye surface(u, v) = [0*u, u, v + height*sin(12*sqrt(u^2 + v^2))]", output)
+        exact, difference = re.search(r"origin by (\S+), and (\S+) by", output).groups()
+        # The height is a factor, so a difference is off by roundings alone: 1e-16 / 2e-6.
+        self.assertAlmostEqual(float(exact), float(difference), delta=2e-6)
+
+    def test_sampled_rays_keep_their_tolerance(self):
+        found = re.search(r"(\d+) x (\d+) rays, off by up to (\S+) degrees", self.output_of("python3 pond.py"))
+        self.assertGreater(int(found[1]), 64)
+        self.assertLessEqual(float(found[3]), 0.0002)
+
     def test_a_point_behind_the_wall_is_hidden(self):
         output = self.output_of("python3 photo.py")
         self.assertIn("160 x 90 pixels of uint8", output)
