@@ -27,6 +27,7 @@ from ._sampled import Sampled, from_rays
 from ._scene_parts import Light, Material, Object, Property
 from ._scenes import Scene, load, render
 from ._studies import animate, warp
+from ._widget import widget
 from .formulas import parameter
 from .errors import (BalconyWarning, Error, InputError, InternalError, Interrupted, MachineError,
                      UsageError)
@@ -36,4 +37,4 @@ __all__ = ["BalconyWarning", "Camera", "Error", "Finding", "InputError", "Intern
            "Jacobian", "Light", "Located", "MachineError", "Material", "Object", "Parameter", "Picture",
            "Property", "Rays", "Sampled", "Scene", "Sightings", "Solution", "UsageError", "animate",
            "camera", "cameras", "compose", "export_languages", "from_rays", "load", "parameter", "path",
-           "render", "solve", "warp"]_atexit.register(_balcony.stop_all)
+           "render", "solve", "warp", "widget"]
