@@ -27,6 +27,10 @@ class Scene:
         scene.add_mesh("floor", [[-1, -1, 0], [1, -1, 0], [0, 1, 0]], [[0, 1, 2]])
 
     A scene that is changed changes at all times. A camera that the scene places follows.
+
+    unless they say otherwise.
+
+        scene = balcony.load("room.glb", environment="sky.exr", lamp=["point 100 at 0,2,0"])
     """
 
     __slots__ = ("_scene", "_file")
