@@ -57,14 +57,14 @@ class Export(support.CommandTest):
                      says="no parameter 'lena'", helps="did you mean 'lean'")
 
     def test_the_inverse_stands_behind_the_ray(self):
-        for words in (("--to", "c", "--parameters", "all"), ("--to", "numpy")):
+        for words in (("--to", "c", "--parameters", "all"), ("--to", "numpy"), ("--to", "torch")):
             plain = self.run_command("export", "tower.cam:tower", *words)[0]
             whole = self.run_command("export", "tower.cam:tower", *words, "--inverse")[0]
             self.assertTrue(whole.startswith(plain[:200]))
             self.assertNotIn("tower_find(", plain)
             self.assertIn("tower_find(", whole)
         self.refused("export", "tower.cam:tower", "--to", "osl", "--inverse", code=2,
-                     says="in the language osl finds no points", helps="--to c")
+                     says="in the language osl finds no points", helps="one of c, numpy, torch")
 
     def test_single_precision_is_judged(self):
         facts = self.json_of("export", "tower.cam:tower", "--to", "osl", "--json")

@@ -11,7 +11,8 @@ class Exports(StudioTest):
     def test_the_text_is_that_of_the_command(self):
         self.open()
         page = self.shown()
-        for language, ending in (("osl", "osl"), ("glsl", "glsl"), ("c", "c"), ("numpy", "py")):
+        for language, ending in (("osl", "osl"), ("glsl", "glsl"), ("c", "c"), ("numpy", "py"),
+                                 ("torch", "py")):
             made = page.result("export", language=language)
             out, _ = self.run_command("export", "my.cam:above", "--to", language)
             self.assertEqual(made["text"], out)
@@ -44,7 +45,7 @@ class Exports(StudioTest):
     def test_languages_are_told(self):
         self.open()
         names = [one["name"] for one in self.page().begin().about["languages"]]
-        self.assertEqual(set(names), {"osl", "glsl", "c", "numpy", "pov"})
+        self.assertEqual(set(names), {"osl", "glsl", "c", "numpy", "torch", "pov"})
 
 
 if __name__ == "__main__":

@@ -2,14 +2,18 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs docs/bridges.md."""
 
+import os
 import re
 from pathlib import Path
 
 import guide
 
-PYTHON = guide.python_with("numpy")
+TORCH = guide.python_with("numpy", "torch")
+PYTHON = TORCH or guide.python_with("numpy")
 if PYTHON is None:
     guide.skip("no Python has numpy")
+if TORCH is None:
+    os.environ["PYTHONPATH"] = str(guide.STAND_INS)
 
 
 class BridgesGuide(guide.GuideTest):
@@ -35,6 +39,11 @@ class BridgesGuide(guide.GuideTest):
     def test_the_ball_is_seen(self):
         share = re.search(r"covers ([\d.]+) %", self.output_of("python3 sphere.py"))
         self.assertTrue(1.0 < float(share[1]) < 20.0, share[0])
+
+    def test_the_tower_is_found(self):
+        found = self.output_of("python3 fit.py")
+        self.assertIn("radius 4.500, lean 0.350, loss", found)
+        self.assertLess(float(found.split()[-1]), 1e-7)
 
 
 if __name__ == "__main__":

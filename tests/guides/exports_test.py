@@ -22,6 +22,7 @@ from pathlib import Path
 WRITE_EXPORTS = Path(sys.argv.pop(3)).resolve()
 
 from guide import main, python_with, skip  # noqa: E402 (reads the other arguments)
+from rays import MAGNIFYING, pixels_between  # noqa: E402
 
 BROWSER = shutil.which("chromium") or shutil.which("chromium-browser")
 # The compiler and the interpreter of OSL, which Debian 12 does not have. Without them, tests/bridge
@@ -50,7 +51,7 @@ json.dump(made, sys.stdout)
 RUN_NUMPY = """
 import importlib, json, sys
 import numpy as np
-sys.path.insert(0, sys.argv[1])
+sys.path.insert(0, sys.argv[1] + "/numpy")
 exports = json.load(open(sys.argv[1] + "/exports.json"))
 x, y = np.array(exports["points"]).T
 made = {}
@@ -72,7 +73,7 @@ json.dump(made, sys.stdout)
 FIND_NUMPY = """
 import importlib, json, sys
 import numpy as np
-sys.path.insert(0, sys.argv[1])
+sys.path.insert(0, sys.argv[1] + "/numpy")
 exports = json.load(open(sys.argv[1] + "/exports.json"))
 made = {}
 for name, entry in exports["examples"].items():
@@ -163,34 +164,6 @@ main().catch(problem => fetch("/result", {method: "POST",
 </script>"""
 
 
-def length(v):
-    return math.sqrt(sum(a * a for a in v))
-
-
-def pixels_between(exact, origin, direction, distance=10.0):
-    """As rays::pixels_between()."""
-    def change(o, d):
-        return [a / distance for a in o] + list(d)
-
-    def dot(a, b):
-        return sum(p * q for p, q in zip(a, b))
-
-    by_x = change(exact["origin_by_x"], exact["direction_by_x"])
-    by_y = change(exact["origin_by_y"], exact["direction_by_y"])
-    apart = change([a - b for a, b in zip(origin, exact["origin"])],
-                   [a - b for a, b in zip(direction, exact["direction"])])
-    xx, yy, xy = dot(by_x, by_x), dot(by_y, by_y), dot(by_x, by_y)
-    ex, ey, square = dot(by_x, apart), dot(by_y, apart), dot(apart, apart)
-    if square == 0.0:
-        return 0.0
-    longer, determinant = max(xx, yy), xx * yy - xy * xy
-    if determinant > 1e-12 * longer * longer:
-        a, b = (yy * ex - xy * ey) / determinant, (xx * ey - xy * ex) / determinant
-    else:
-        a, b = (ex / xx, 0.0) if xx == longer else (0.0, ey / yy)
-    return math.hypot(a, b) + math.sqrt(max(0.0, square - a * ex - b * ey) / longer)
-
-
 def browse(page, profile):
     """What a page in a browser without a window posts to /result."""
     results = queue.Queue()
@@ -224,11 +197,6 @@ def browse(page, profile):
             browser.terminate()
             browser.wait()
             server.shutdown()
-
-
-# Cameras that magnify directions that they compute from sines, and their errors with them: this one
-# by `zoom` in its file, tan(30 degrees)*sqrt(12^2 + 7.5^2 - 1)/1.
-MAGNIFYING = {"built_in_cylindrical_anamorphosis": 8.2}
 
 
 class ExportsTest(unittest.TestCase):
@@ -281,7 +249,7 @@ class ExportsTest(unittest.TestCase):
     def shaded(self, name, python):
         """The rays of an OSL shader as OSL computes them."""
         width, height = self.exports["width"], self.exports["height"]
-        text = (self.folder / f"{name}.osl").read_text().replace(
+        text = (self.folder / "osl" / f"{name}.osl").read_text().replace(
             'getattribute("cam:image_resolution", resolution);',
             f"resolution = vector({width}, {height}, 0);")
         cycles = CYCLES.replace("WIDTH", f"{width:.1f}").replace("HEIGHT", f"{height:.1f}")
@@ -327,7 +295,7 @@ class ExportsTest(unittest.TestCase):
         return made
 
     def test_glsl(self):
-        texts = {name: [(self.folder / f"{name}.glsl").read_text(), entry["lens"]]
+        texts = {name: [(self.folder / "glsl" / f"{name}.glsl").read_text(), entry["lens"]]
                  for name, entry in self.exports["examples"].items()
                  if "glsl" in entry.get("languages", ())}
         small = {name: text for name, text in texts.items() if len(text[0]) < TOO_LARGE}

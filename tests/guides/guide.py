@@ -14,6 +14,8 @@ from pathlib import Path
 BALCONY = Path(sys.argv[1]).resolve()
 REPOSITORY = Path(sys.argv[2]).resolve()
 SKIPPED = 77
+# What stands for Python modules that are not installed.
+STAND_INS = REPOSITORY / "tests" / "guides" / "gradients" / "stand_ins"
 
 BLOCK = re.compile(r"^```(\w+)\n(.*?)^```", re.MULTILINE | re.DOTALL)
 # The first line of a block that is a file: "# layers.py", "// walls.cam".

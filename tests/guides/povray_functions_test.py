@@ -55,7 +55,7 @@ class Functions(unittest.TestCase):
                  '#fopen Rays "rays.txt" write']
         for name in examples:
             # POV-Ray 3.7 knows the functions, but not the camera.
-            text = (self.folder / f"{name}.inc").read_text()
+            text = (self.folder / "pov" / f"{name}.inc").read_text()
             scene.append(text if VERSION >= (3, 8) else text[:text.rindex("#declare")])
             pov = name[0].upper() + name[1:]
             values = [f"str({pov}_{part}({axis}, {pov}_column(X), {pov}_row(Y)), 0, 17)"

@@ -153,6 +153,11 @@ CameraFormulas emitted(const camera::Camera& camera, const FormulaRequest& reque
 
 }  // namespace
 
+Diagnostic too_large_error(std::string_view camera) {
+    return error(fmt::format("camera '{}' is too large to be exported", camera), {},
+                 "repeat fewer stages, or give its rays with 'balcony rays'");
+}
+
 const StageFormulas* stage_with(const CameraFormulas& made, NodeId node) {
     for (const StageFormulas& stage : made.stages) {
         const std::vector<NodeId> nodes = expr::reachable(*made.graph, stage.values);
@@ -179,8 +184,7 @@ Result<CameraFormulas> formulas_of(const camera::Camera& camera, const FormulaRe
         }
         return made;
     } catch (const expr::GraphTooLarge&) {
-        return error(fmt::format("camera '{}' is too large to be exported", camera.name()), {},
-                     "repeat fewer stages, or give its rays with 'balcony rays'");
+        return too_large_error(camera.name());
     }
 }
 

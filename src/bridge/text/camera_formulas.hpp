@@ -57,6 +57,9 @@ struct FormulaRequest {
 [[nodiscard]] Result<CameraFormulas> formulas_of(const camera::Camera& camera,
                                                  const FormulaRequest& request);
 
+/// The error of formulas that do not fit into a graph.
+[[nodiscard]] Diagnostic too_large_error(std::string_view camera);
+
 /// The stage in whose formulas a node first occurs; null for the ray itself.
 [[nodiscard]] const StageFormulas* stage_with(const CameraFormulas& formulas, expr::NodeId node);
 

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "bridge/text/coarse_table.hpp"
+#include "bridge/text/unused_branches.hpp"
 
 namespace balcony::bridge {
 
@@ -180,6 +181,13 @@ private:
         const std::span<const NodeId> arguments = graph_.arguments(id);
         for (std::size_t i = 0; i < arguments.size(); ++i) {
             made.push_back(in_form(formula(arguments[i]), takes_condition(graph_[id].op, i)));
+        }
+        const HarmlessOperand* harmless = harmless_operand(graph_, id);
+        if (harmless != nullptr && !dialect_.guarded.empty()) {
+            Formula& operand = made[harmless->operand];
+            operand.text = filled(dialect_.spelled(dialect_.guarded),
+                                  {operand.text, dialect_.number(harmless->number)});
+            operand.binding = Precedence::atom;
         }
         return made;
     }

@@ -28,6 +28,9 @@ struct Dialect {
     /// Before and behind the names of the library's functions: "np." or "f".
     std::string_view before_standard{};
     std::string_view behind_standard{};
+    /// What stands for an operand {0} that has a harmless number {1} (unused_branches.hpp), for
+    /// languages that take derivatives; nothing if the operand stands for itself.
+    std::string_view guarded{};
     /// Words in spellings and what stands for them, such as the type of numbers.
     std::vector<std::pair<std::string, std::string>> words{};
 

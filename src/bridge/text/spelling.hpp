@@ -101,9 +101,10 @@ inline constexpr auto common_spellings = [] {
     return rows;
 }();
 
-/// The spellings of a language that writes these rows in its own way and the others as most do.
-[[nodiscard]] consteval Spellings spellings(std::initializer_list<Spelling> own) {
-    Spellings rows = common_spellings;
+/// The spellings of a language that writes these rows in its own way and the others as most do, or
+/// as its relatives do.
+[[nodiscard]] consteval Spellings spellings(std::initializer_list<Spelling> own,
+                                            Spellings rows = common_spellings) {
     for (const Spelling& row : own) {
         rows[static_cast<std::size_t>(row.op)] = row;
     }

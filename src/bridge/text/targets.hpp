@@ -10,6 +10,7 @@ namespace balcony::bridge {
 // here and a line in targets.cpp.
 [[nodiscard]] ExportTarget c_target();
 [[nodiscard]] ExportTarget numpy_target();
+[[nodiscard]] ExportTarget torch_target();
 [[nodiscard]] ExportTarget glsl_target();
 [[nodiscard]] ExportTarget osl_target();
 [[nodiscard]] ExportTarget pov_target();

@@ -41,22 +41,25 @@ std::vector<app::OptionChoice> targets() {
     return made;
 }
 
-std::string target_names() {
+std::string target_names(bool with_inverse = false) {
     std::string names;
     for (const ExportTarget& target : bridge::export_targets()) {
-        names += fmt::format("{}{}", names.empty() ? "" : ", ", target.name);
+        if (target.has_inverse || !with_inverse) {
+            names += fmt::format("{}{}", names.empty() ? "" : ", ", target.name);
+        }
     }
     return names;
 }
 
-// That of --to, or else the one whose files end as the output does.
+// That of --to, or else the first one whose files end as the output does.
 void choose_target(CameraExportOptions& options, const app::GivenWords& given, Diagnostics& found) {
     if (given.contains("--to")) {
         options.target = bridge::find_export_target(options.to);
         return;
     }
     for (const ExportTarget& target : bridge::export_targets()) {
-        if (!options.output.empty() && ending_of(options.output) == target.ending) {
+        if (options.target == nullptr && !options.output.empty() &&
+            ending_of(options.output) == target.ending) {
             options.target = &target;
         }
     }
@@ -71,7 +74,7 @@ void check_inverse(CameraExportOptions& options, const app::GivenWords&, Diagnos
         found.push_back(
             error(Kind::usage,
                   fmt::format("a camera in the language {} finds no points", options.target->name),
-                  "omit --inverse, or use --to c or --to numpy"));
+                  "omit --inverse, or use --to with one of " + target_names(true)));
     }
 }
 
@@ -193,8 +196,9 @@ void add_export_command(CLI::App& app, ExitCode& code) {
                                 "give single or double"),
                     &CameraExportOptions::precision),
              flag({.name = "--inverse",
-                   .meaning = "also write a function from points in space to positions in the "
-                              "picture (c, numpy)"},
+                   .meaning = fmt::format("also write a function from points in space to positions "
+                                          "in the picture ({})",
+                                          target_names(true))},
                   true, &CameraExportOptions::inverse),
              axes_option(&CameraExportOptions::axes,
                          "the world of the rays: z_up or y_up (default: the camera's own, or y_up "

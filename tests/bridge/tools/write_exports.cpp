@@ -3,9 +3,10 @@
 //
 // Usage: write_exports FOLDER | --table PAGE
 //
-// Writes every example in every language into a folder, NAME.ENDING each, and exports.json: the
-// picture, its points, and our own rays by example, for tests that run other programs. With
-// --table, writes into a page of the documentation which cameras can be exported to what.
+// Writes every example in every language into a folder, LANGUAGE/NAME.ENDING each, and
+// exports.json: the picture, its points, and our own rays by example, for tests that run other
+// programs. With --table, writes into a page of the documentation which cameras can be exported to
+// what.
 
 #include <array>
 #include <filesystem>
@@ -155,7 +156,9 @@ int main(int argc, char** argv) {
             const auto text =
                 export_camera(target, {example.camera}, {.inverse = !entry["located"].empty()});
             if (text) {
-                std::ofstream(folder / (example.name + std::string(target.ending))) << text->text;
+                std::filesystem::create_directory(folder / target.name);
+                std::ofstream(folder / target.name / (example.name + std::string(target.ending)))
+                    << text->text;
                 entry["languages"].push_back(target.name);
             } else {
                 entry["refused"][std::string(target.name)] = to_text(text.diagnostics);

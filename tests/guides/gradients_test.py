@@ -1,0 +1,154 @@
+#!/usr/bin/env python3
+# Balcony: rendering through extended cameras.
+# SPDX-License-Identifier: Apache-2.0
+"""The PyTorch functions of all examples of cameras: their rays, and their gradients
+beside the exact derivatives of Balcony.
+
+Usage: gradients_test.py BALCONY REPOSITORY WRITE_EXPORTS
+
+The folder gradients/stand_ins has what stands for PyTorch where it is not installed.
+"""
+
+import json
+import math
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+WRITE_EXPORTS = Path(sys.argv.pop(3)).resolve()
+
+import guide  # noqa: E402 (reads the other arguments)
+from rays import MAGNIFYING, pixels_between  # noqa: E402
+
+FOLDER = Path(__file__).parent / "gradients"
+STAND_INS = guide.STAND_INS
+TORCH = guide.python_with("torch", "numpy")
+PYTHON = TORCH or guide.python_with("numpy")
+# Built-in cameras whose parameters stay open, of many kinds: angles and lengths, tables, conditions, and rays
+# that miss.
+LEARNT = ("superelliptic", "fisheye_polynomial", "panini", "catadioptric_hyperbolic", "mirror_ball", "pushbroom",
+          "portrait_lens", "general_linear", "coin", "torus_flight", "path_strip", "swing", "hyperbolic",
+          "cylindrical_anamorphosis", "slide_curved", "cubemap_cross")
+
+
+def run(script, *arguments, stand_ins):
+    environment = dict(os.environ)
+    if stand_ins:
+        environment["PYTHONPATH"] = str(STAND_INS)
+    done = subprocess.run([PYTHON, "-B", FOLDER / script, *map(str, arguments)], env=environment, check=True,
+                          stdout=subprocess.PIPE)
+    return done.stdout
+
+
+def vector(ray, name):
+    return [*ray["origin" + name], *ray["direction" + name]]
+
+
+class GradientsTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = Path(tempfile.mkdtemp(prefix="balcony-gradients-"))
+        cls.addClassCleanup(shutil.rmtree, cls.folder)
+        subprocess.run([WRITE_EXPORTS, cls.folder], check=True)
+        cls.exports = json.loads((cls.folder / "exports.json").read_text())["examples"]
+        run("torch_rays.py", cls.folder, cls.folder / "torch.json", stand_ins=TORCH is None)
+        made = json.loads((cls.folder / "torch.json").read_text())
+        cls.made = made["examples"]
+        print(f"PyTorch is {made['torch']}")
+
+    def pairs(self, name, rays):
+        """An exact and a made ray each."""
+        return list(zip(self.exports[name]["rays"], rays, strict=True))
+
+    def compare(self, made, tolerance):
+        """The largest difference in pixels; every camera must keep to the tolerance of its name."""
+        largest = (0.0, "")
+        for name, rays in made.items():
+            for exact, ray in self.pairs(name, rays):
+                with self.subTest(camera=name):
+                    self.assertEqual(exact is None, ray is None, "there is a ray")
+                    if exact is not None:
+                        pixels = pixels_between(exact, ray[:3], ray[3:])
+                        largest = max(largest, (pixels, name))
+                        self.assertLess(pixels, tolerance(name))
+        print(f"{len(made)} cameras; the largest difference is {largest[0]:.2g} pixels, of {largest[1]}")
+
+    def test_torch_has_the_same_rays(self):
+        self.assertGreaterEqual(len(self.made) + 3, len(self.exports), "all but meshes")
+        self.compare({name: one["rays"] for name, one in self.made.items()}, lambda _: 1e-6)
+
+    def test_rays_of_single_precision(self):
+        # As those of GLSL, which has the same precision.
+        self.compare({name: one["single"] for name, one in self.made.items()},
+                     lambda name: 0.05 * MAGNIFYING.get(name, 1.0))
+
+    def test_gradients_by_positions(self):
+        """They are our exact derivatives, and 0 where there is no ray; nowhere are they not numbers."""
+        largest = (0.0, "")
+        for name, one in self.made.items():
+            for i, (exact, _) in enumerate(self.pairs(name, one["rays"])):
+                learnt = [[one["slopes"][c][k][i] for c in range(6)] for k in (0, 1)]
+                with self.subTest(camera=name, point=i):
+                    if exact is None:
+                        self.assertEqual(learnt, [[0.0] * 6] * 2)
+                        continue
+                    for ours, theirs in zip((vector(exact, "_by_x"), vector(exact, "_by_y")), learnt):
+                        size = max(map(abs, ours))
+                        difference = max(abs(a - b) for a, b in zip(ours, theirs)) / (size + 1e-6)
+                        largest = max(largest, (difference, name))
+                        self.assertLess(difference, 1e-9)
+        print(f"gradients by positions differ by {largest[0]:.2g} of their size, of {largest[1]}")
+
+    def test_gradients_by_parameters(self):
+        for name in LEARNT:
+            for language in ("numpy", "torch"):
+                subprocess.run([guide.BALCONY, "export", name, "--to", language, "--parameters", "all",
+                                "-o", self.folder / f"{name}_{language}.py"], check=True,
+                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        found = json.loads(run("torch_parameters.py", self.folder, *LEARNT, stand_ins=TORCH is None))
+        count = sum(len(one) for one in found.values())
+        self.assertGreater(count, 3 * len(LEARNT))
+        largest = max((difference, name, parameter) for name, one in found.items()
+                      for parameter, difference in one.items())
+        print(f"gradients by {count} parameters; the largest difference is {largest}")
+        for name, one in found.items():
+            for parameter, difference in one.items():
+                with self.subTest(camera=name, parameter=parameter):
+                    # Differences of steps of 1e-4 have rounding errors of 1e-12.
+                    self.assertLess(difference, 1e-7)
+
+    def test_torch_finds_points_where_balcony_locates_them(self):
+        wanted = found = 0
+        for name, one in self.made.items():
+            entries = self.exports[name]["located"]
+            if not entries:
+                continue
+            places = one["found"]
+            for i, (entry, position, distance) in enumerate(
+                    zip(entries, places["positions"], places["distances"], strict=True)):
+                wanted += 1
+                if math.isnan(distance):
+                    self.assertEqual(places["x"][i], [0.0] * 3)
+                    continue
+                found += 1
+                with self.subTest(camera=name, point=i):
+                    nearest = min(entry["sightings"], key=lambda one: math.dist(one[:2], position),
+                                  default=None)
+                    if nearest is not None:
+                        self.assertLess(math.dist(nearest[:2], position), 0.01)
+                        self.assertAlmostEqual(nearest[2], distance, delta=1e-3 * nearest[2])
+                    # A point that moves along its ray stays where it is in the picture.
+                    for gradient in (places["x"][i], places["y"][i]):
+                        self.assertTrue(all(map(math.isfinite, gradient)), gradient)
+        self.assertGreater(wanted, 2000)
+        self.assertGreater(found, 0.995 * wanted)
+
+
+if __name__ == "__main__":
+    if PYTHON is None:
+        guide.skip("NumPy is not installed")
+    guide.main()
