@@ -9,7 +9,7 @@ import type { Exported } from "./protocol";
 import type { Session } from "./session";
 
 /** How people write them. */
-const words: Record<string, string> = { osl: "OSL", glsl: "GLSL", c: "C", numpy: "NumPy", torch: "PyTorch", pov: "POV-Ray" };
+const words: Record<string, string> = { osl: "OSL", glsl: "GLSL", c: "C", numpy: "NumPy", torch: "PyTorch", mitsuba: "Mitsuba", pov: "POV-Ray" };
 
 export function exportChoice({ about }: Session, choose: (language: string) => void) {
     const languages = about?.languages ?? [];

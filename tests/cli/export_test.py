@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """balcony export: cameras as texts in other languages."""
 
+import ast
 import subprocess
 
 import support
@@ -35,6 +36,7 @@ class Export(support.CommandTest):
             self.assertTrue(text.startswith(begins), text[:80])
             self.assertIn("Looks out of a tower.", text)
             self.assertIn("eye cylinder(radius)", text)
+        self.assertIn("import numpy", text, "the first language of this ending")
 
     def test_standard_output_is_the_text_alone(self):
         out, err = self.run_command("export", "tower.cam:tower", "--to", "c")
@@ -101,6 +103,22 @@ class Export(support.CommandTest):
                                 "x.c", "-o", "x.o"], cwd=self.folder, capture_output=True,
                                text=True)
         self.assertEqual(built.returncode, 0, built.stderr)
+
+    def test_names_of_python_stay_its_own(self):
+        (self.folder / "None.cam").write_text(
+            "camera None(x = 1, lambda = 2, live = 3, mi = 4, np = 5, torch = 6, self = 7, s1 = 8) {\n"
+            "    map u = -x - lambda .. live + mi, v = -np - torch .. self + s1\n    eye plane()\n}\n")
+        for language, library in (("numpy", "np"), ("torch", "torch"), ("mitsuba", "mi")):
+            out, _ = self.run_command("export", "None.cam", "--to", language, "--parameters", "all")
+            compile(out, f"{language}.py", "exec")
+            self.assertNotIn(library, self.formula_names(out))
+
+    @staticmethod
+    def formula_names(text):
+        """The names of the parameters of the function with the formulas."""
+        function = next(one for one in ast.parse(text).body
+                        if isinstance(one, ast.FunctionDef) and one.name.endswith("_formulas"))
+        return {one.arg for one in function.args.args}
 
 
 if __name__ == "__main__":

@@ -45,7 +45,7 @@ class Exports(StudioTest):
     def test_languages_are_told(self):
         self.open()
         names = [one["name"] for one in self.page().begin().about["languages"]]
-        self.assertEqual(set(names), {"osl", "glsl", "c", "numpy", "torch", "pov"})
+        self.assertEqual(set(names), {"osl", "glsl", "c", "numpy", "torch", "mitsuba", "pov"})
 
 
 if __name__ == "__main__":

@@ -45,6 +45,11 @@ class BridgesGuide(guide.GuideTest):
         self.assertIn("radius 4.500, lean 0.350, loss", found)
         self.assertLess(float(found.split()[-1]), 1e-7)
 
+    def test_mitsuba_takes_another_radius(self):
+        line = 'python3 -c "from sensor import *; print(parameters[\'radius\'].value, list(parameters))"'
+        self.assertEqual(guide.run_line(f"PYTHONPATH={guide.STAND_INS} {line}", self.folder, self.path),
+                         "5.0 ['to_world', 'radius', 'lean']\n")
+
 
 if __name__ == "__main__":
     guide.main()

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # Balcony: rendering through extended cameras.
 # SPDX-License-Identifier: Apache-2.0
-"""The PyTorch functions of all examples of cameras: their rays, and their gradients
+"""The PyTorch functions and the Mitsuba sensors of all examples of cameras: their rays, and their gradients
 beside the exact derivatives of Balcony.
 
 Usage: gradients_test.py BALCONY REPOSITORY WRITE_EXPORTS
 
-The folder gradients/stand_ins has what stands for PyTorch where it is not installed.
+The folder gradients/stand_ins has what stands for PyTorch where it is not installed, and for Mitsuba.
 """
 
 import json
@@ -103,13 +103,14 @@ class GradientsTest(unittest.TestCase):
                         self.assertLess(difference, 1e-9)
         print(f"gradients by positions differ by {largest[0]:.2g} of their size, of {largest[1]}")
 
-    def test_gradients_by_parameters(self):
-        for name in LEARNT:
-            for language in ("numpy", "torch"):
-                subprocess.run([guide.BALCONY, "export", name, "--to", language, "--parameters", "all",
-                                "-o", self.folder / f"{name}_{language}.py"], check=True,
-                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        found = json.loads(run("torch_parameters.py", self.folder, *LEARNT, stand_ins=TORCH is None))
+    def export(self, names, language):
+        for name in names:
+            subprocess.run([guide.BALCONY, "export", name, "--to", language, "--parameters", "all", "-o",
+                            self.folder / f"{name}_{language}.py"], check=True,
+                           stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+
+    def compare_by_parameter(self, found):
+        """Those that a program printed; each camera has its differences by parameter."""
         count = sum(len(one) for one in found.values())
         self.assertGreater(count, 3 * len(LEARNT))
         largest = max((difference, name, parameter) for name, one in found.items()
@@ -120,6 +121,18 @@ class GradientsTest(unittest.TestCase):
                 with self.subTest(camera=name, parameter=parameter):
                     # Differences of steps of 1e-4 have rounding errors of 1e-12.
                     self.assertLess(difference, 1e-7)
+
+    def test_gradients_by_parameters(self):
+        self.export(LEARNT, "numpy")
+        self.export(LEARNT, "torch")
+        self.compare_by_parameter(json.loads(
+            run("torch_parameters.py", self.folder, *LEARNT, stand_ins=TORCH is None)))
+
+    def test_mitsuba_has_gradients_by_parameters(self):
+        names = [name for name in LEARNT if name != "panini"]  # Its s is the end of its range.
+        self.export(names, "mitsuba")
+        self.compare_by_parameter(json.loads(
+            run("mitsuba_parameters.py", self.folder, *names, stand_ins=True)))
 
     def test_torch_finds_points_where_balcony_locates_them(self):
         wanted = found = 0
@@ -141,11 +154,41 @@ class GradientsTest(unittest.TestCase):
                     if nearest is not None:
                         self.assertLess(math.dist(nearest[:2], position), 0.01)
                         self.assertAlmostEqual(nearest[2], distance, delta=1e-3 * nearest[2])
-                    # A point that moves along its ray stays where it is in the picture.
-                    for gradient in (places["x"][i], places["y"][i]):
-                        self.assertTrue(all(map(math.isfinite, gradient)), gradient)
+                    self.assert_moves(places, i)
         self.assertGreater(wanted, 2000)
         self.assertGreater(found, 0.995 * wanted)
+
+    def assert_moves(self, places, i):
+        """The position of a point has the gradients of differences, whose steps of 1e-5 are wrong by some
+        thousandths where small parts of a picture show much."""
+        for k, coordinate in enumerate("xy"):
+            for gradient, row in zip(places[coordinate][i], places["differences"], strict=True):
+                self.assertTrue(math.isfinite(gradient))
+                if math.isfinite(row[i][k]):
+                    self.assertAlmostEqual(gradient, row[i][k], delta=5e-3 * (1 + abs(gradient)))
+
+    def test_mitsuba(self):
+        output = self.folder / "mitsuba.json"
+        run("mitsuba_rays.py", self.folder, output, stand_ins=True)
+        made = json.loads(output.read_text())
+        self.assertGreaterEqual(len(made) + 3, len(self.exports), "all but meshes")
+        self.compare({name: [one and one["ray"] for one in rays] for name, rays in made.items()},
+                     lambda _: 1e-6)
+        for name, rays in made.items():
+            for exact, one in self.pairs(name, rays):
+                if exact is not None:
+                    with self.subTest(camera=name):
+                        self.assert_beside(exact, one["beside"])
+
+    def assert_beside(self, exact, beside):
+        """The rays of the next pixels have the derivatives of this one."""
+        o, d = exact["origin"], exact["direction"]
+        for axis, first in (("_by_x", 0), ("_by_y", 3)):
+            for a, b, slope in zip(o, beside[first:first + 3], exact["origin" + axis]):
+                self.assertAlmostEqual(a + slope, b, delta=1e-9 * (1 + abs(a) + abs(slope)))
+            moved = [a + slope for a, slope in zip(d, exact["direction" + axis])]
+            for a, b in zip(moved, beside[6 + first:9 + first]):
+                self.assertAlmostEqual(a / math.hypot(*moved), b, delta=1e-9)
 
 
 if __name__ == "__main__":

@@ -13,8 +13,8 @@
 namespace balcony::bridge {
 
 std::span<const ExportTarget> export_targets() {
-    static const std::array targets{osl_target(),   glsl_target(),  c_target(),
-                                    numpy_target(), torch_target(), pov_target()};
+    static const std::array targets{osl_target(),   glsl_target(),    c_target(),  numpy_target(),
+                                    torch_target(), mitsuba_target(), pov_target()};
     return targets;
 }
 

@@ -11,6 +11,7 @@ namespace balcony::bridge {
 [[nodiscard]] ExportTarget c_target();
 [[nodiscard]] ExportTarget numpy_target();
 [[nodiscard]] ExportTarget torch_target();
+[[nodiscard]] ExportTarget mitsuba_target();
 [[nodiscard]] ExportTarget glsl_target();
 [[nodiscard]] ExportTarget osl_target();
 [[nodiscard]] ExportTarget pov_target();
