@@ -28,6 +28,7 @@ foreach(dependency IN LISTS BALCONY_LIBRARY_DEPENDENCIES)
 endforeach()
 
 balcony_find(Eigen3 3.4 6 libeigen3-dev)    # Eigen3::Eigen, headers of the layer solve
+find_package(tomlplusplus 3.3 REQUIRED)     # toml++/toml.h, headers of the layer dataset
 find_package(CLI11 2.1 REQUIRED)            # CLI11::CLI11
 find_package(Boost 1.74 REQUIRED CONFIG)    # Boost::headers, of the layer studio
 find_package(TurboJPEG REQUIRED)            # TurboJPEG::TurboJPEG, of the layer studio

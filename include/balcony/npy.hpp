@@ -34,8 +34,8 @@ struct NpyHeader {
 
 /// The header of an array that is written row by row in the byte order of the machine.
 /// `number_size` is 4 or 8; `least` is the least size of the header, a multiple of 64, so that a
-/// longer shape has room later.
+/// longer shape has room later. With the kind 'u', they are unsigned integers of 1 to 8 bytes.
 [[nodiscard]] std::string npy_header(std::span<const std::size_t> shape, std::size_t number_size,
-                                     std::size_t least = 0);
+                                     std::size_t least = 0, char kind = 'f');
 
 }  // namespace balcony

@@ -34,4 +34,11 @@ using PoseMatrix = std::array<std::array<double, 4>, 3>;
 [[nodiscard]] Result<camera::Pose> pose_of(const PoseMatrix& matrix, std::string_view axes,
                                            Axes world);
 
+/// The matrix of a pose: pose_of() gives the pose back.
+[[nodiscard]] Result<PoseMatrix> matrix_of(const camera::Pose& pose, std::string_view axes,
+                                           Axes world);
+
+/// The pose of what stands in a pose inside of another one.
+[[nodiscard]] camera::Pose combined(const camera::Pose& outer, const camera::Pose& inner);
+
 }  // namespace balcony::app

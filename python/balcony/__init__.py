@@ -22,6 +22,7 @@ from . import _balcony, formulas, stages
 from ._cameras import (Camera, Finding, Jacobian, Located, Parameter, Rays, Sightings, Solution, camera,
                        cameras, export_languages, solve)
 from ._compose import compose, path
+from ._datasets import Dataset, Frame, dataset
 from ._pictures import Picture
 from ._sampled import Sampled, from_rays
 from ._scene_parts import Light, Material, Object, Property
@@ -33,8 +34,11 @@ from .errors import (BalconyWarning, Error, InputError, InternalError, Interrupt
                      UsageError)
 
 __version__ = _balcony.version
-__all__ = ["BalconyWarning", "Camera", "Error", "Finding", "InputError", "InternalError", "Interrupted",
-           "Jacobian", "Light", "Located", "MachineError", "Material", "Object", "Parameter", "Picture",
-           "Property", "Rays", "Sampled", "Scene", "Sightings", "Solution", "UsageError", "animate",
-           "camera", "cameras", "compose", "export_languages", "from_rays", "load", "parameter", "path",
-           "render", "solve", "warp", "widget"]
+__all__ = ["BalconyWarning", "Camera", "Dataset", "Error", "Finding", "Frame", "InputError",
+           "InternalError", "Interrupted", "Jacobian", "Light", "Located", "MachineError", "Material",
+           "Object", "Parameter", "Picture", "Property", "Rays", "Sampled", "Scene", "Sightings",
+           "Solution", "UsageError", "animate", "camera", "cameras", "compose", "dataset",
+           "export_languages", "formulas", "from_rays", "load", "parameter", "path", "render", "solve",
+           "stages", "warp", "widget"]
+
+_atexit.register(_balcony.stop_all)

@@ -19,7 +19,8 @@ _edits = _balcony.edits
 class Scene:
     """A scene that is loaded and lit. Options are those of `balcony render`, which its pictures then have
     unless they say otherwise:
-    `balcony.load("room.glb", environment="sky.exr", lamp=["point 100 at 0,2,0"])`.
+
+        scene = balcony.load("room.glb", environment="sky.exr", lamp=["point 100 at 0,2,0"])
 
     Without a file it is empty, with y or z up by `axes`, until something is added:
 
@@ -27,10 +28,6 @@ class Scene:
         scene.add_mesh("floor", [[-1, -1, 0], [1, -1, 0], [0, 1, 0]], [[0, 1, 2]])
 
     A scene that is changed changes at all times. A camera that the scene places follows.
-
-    unless they say otherwise.
-
-        scene = balcony.load("room.glb", environment="sky.exr", lamp=["point 100 at 0,2,0"])
     """
 
     __slots__ = ("_scene", "_file")

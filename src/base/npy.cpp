@@ -144,10 +144,10 @@ double NpyHeader::number_at(const char* bytes) const {
 // Version 1 of the format: a magic text, the length of the dictionary, and the dictionary, which
 // ends at a multiple of 64 bytes.
 std::string npy_header(std::span<const std::size_t> shape, std::size_t number_size,
-                       std::size_t least) {
+                       std::size_t least, char kind) {
     constexpr std::size_t alignment = 64;
-    std::string text = fmt::format("{{'descr': '{}f{}', 'fortran_order': False, 'shape': ({}), }}",
-                                   std::endian::native == std::endian::little ? '<' : '>',
+    std::string text = fmt::format("{{'descr': '{}{}{}', 'fortran_order': False, 'shape': ({}), }}",
+                                   std::endian::native == std::endian::little ? '<' : '>', kind,
                                    number_size, fmt::join(shape, ", "));
     const std::size_t end =
         std::max((fixed + text.size() + 1 + alignment - 1) / alignment * alignment, least);

@@ -34,4 +34,5 @@ PYBIND11_MODULE(_balcony, module) {
     python::define_exports(module);
     python::define_stages(module);
     python::define_studies(module);
+    python::define_datasets(module);
 }

@@ -134,5 +134,6 @@ void define_scene_edits(pybind11::module_& module);
 void define_pictures(pybind11::module_& module);
 void define_stages(pybind11::module_& module);
 void define_studies(pybind11::module_& module);
+void define_datasets(pybind11::module_& module);
 
 }  // namespace balcony::python

@@ -14,8 +14,8 @@ import support
 
 FENCED = re.compile(r"^```(?:sh|console)\n(.*?)^```", re.MULTILINE | re.DOTALL)
 # tests/guides runs all steps of these pages.
-GUIDES = ("blender.md", "bridges.md", "calibrated.md", "cookbook.md", "povray.md", "python.md",
-          "raymaps.md", "solve.md")
+GUIDES = ("blender.md", "bridges.md", "calibrated.md", "cookbook.md", "datasets.md", "povray.md",
+          "python.md", "raymaps.md", "solve.md")
 # What my.cam:closeup and pinhole can show.
 MARKS = """size: [320, 200]
 unknowns: [fov, yaw]
@@ -26,6 +26,11 @@ FACADE = """size: [16, 8]
 unknowns: [yaw, pitch]
 marks: {door: [20, 4, 0]}
 constraints: [{at: door, position: [6, 5]}]
+"""
+RECIPE = """scenes = ["room.glb"]
+cameras = ["pinhole"]
+poses = [{list = [[[1, 0, 0, 0], [0, -1, 0, 0], [0, 0, -1, 3]]]}]
+render = {size = "8x8", samples = 1}
 """
 STARTS = ("balcony ", "build/release/balcony ")
 
@@ -145,7 +150,8 @@ class Documentation(support.CommandTest):
                          "-o", "w.png"),
                 "solve": ("my.cam:closeup", "--with", "marks.yml"),
                 "animate": ("room.glb", "--size", "8", "--frames", "1", "-o", "f.#.png"),
-                "merge": ("m.png.shard-1-of-1",)}
+                "merge": ("m.png.shard-1-of-1",), "dataset": ("a.toml", "-o", "set")}
+        (self.folder / "a.toml").write_text(RECIPE)
         self.run_command("render", "room.glb", "--size", "8", "--shard", "1/1", "-o", "m.png")
         for command, words in runs.items():
             (row,) = re.findall(rf"^\| `{command}` \| (.*) \|$", page, re.MULTILINE)

@@ -36,6 +36,32 @@ std::optional<std::array<V3d, 3>> orthonormal(const std::array<V3d, 3>& columns)
     return std::array{first, third.cross(first), third};
 }
 
+Diagnostic no_axes(std::string_view axes) {
+    std::vector<std::string> names;
+    for (const CameraAxes& one : camera_axes()) {
+        names.emplace_back(one.name);
+    }
+    return error(Kind::usage, fmt::format("there are no axes '{}' of cameras", axes),
+                 suggestion(axes, names, "the axes are"));
+}
+
+// Null if the name is not known.
+const CameraAxes* find_axes(std::string_view name) {
+    const auto all = camera_axes();
+    const auto row = std::find_if(all.begin(), all.end(),
+                                  [&](const CameraAxes& one) { return one.name == name; });
+    return row != all.end() ? &*row : nullptr;
+}
+
+V3d rotated(const camera::Pose& pose, const V3d& v) {
+    V3d made;
+    for (int i = 0; i < 3; ++i) {
+        const auto& [x, y, z] = pose.rotation[static_cast<std::size_t>(i)];
+        made[i] = x * v.x + y * v.y + z * v.z;
+    }
+    return made;
+}
+
 }  // namespace
 
 std::span<const CameraAxes> camera_axes() {
@@ -53,16 +79,9 @@ std::span<const CameraAxes> camera_axes() {
 }
 
 Result<camera::Pose> pose_of(const PoseMatrix& matrix, std::string_view axes, Axes world) {
-    const auto all = camera_axes();
-    const auto row = std::find_if(all.begin(), all.end(),
-                                  [&](const CameraAxes& one) { return one.name == axes; });
-    if (row == all.end()) {
-        std::vector<std::string> names;
-        for (const CameraAxes& one : all) {
-            names.emplace_back(one.name);
-        }
-        return error(Kind::usage, fmt::format("there are no axes '{}' of cameras", axes),
-                     suggestion(axes, names, "the axes are"));
+    const CameraAxes* const row = find_axes(axes);
+    if (row == nullptr) {
+        return no_axes(axes);
     }
     const auto column = [&](std::size_t i) {
         return V3d(matrix[0][i], matrix[1][i], matrix[2][i]);
@@ -88,6 +107,39 @@ Result<camera::Pose> pose_of(const PoseMatrix& matrix, std::string_view axes, Ax
         }
     }
     return pose;
+}
+
+Result<PoseMatrix> matrix_of(const camera::Pose& pose, std::string_view axes, Axes world) {
+    const CameraAxes* const row = find_axes(axes);
+    if (row == nullptr) {
+        return no_axes(axes);
+    }
+    const auto& [px, py, pz] = pose.position;
+    const std::array columns{rotated(pose, row->axes[0]), rotated(pose, row->axes[1]),
+                             rotated(pose, row->axes[2]), V3d(px, py, pz)};
+    PoseMatrix matrix{};
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+        const V3d column = turned(columns[k], Axes::z_up, world);
+        for (int i = 0; i < 3; ++i) {
+            matrix[static_cast<std::size_t>(i)][k] = column[i];
+        }
+    }
+    return matrix;
+}
+
+camera::Pose combined(const camera::Pose& outer, const camera::Pose& inner) {
+    camera::Pose made;
+    for (std::size_t i = 0; i < 3; ++i) {
+        made.position[i] = outer.position[i];
+        for (std::size_t j = 0; j < 3; ++j) {
+            made.position[i] += outer.rotation[i][j] * inner.position[j];
+            made.rotation[i][j] = 0.0;
+            for (std::size_t k = 0; k < 3; ++k) {
+                made.rotation[i][j] += outer.rotation[i][k] * inner.rotation[k][j];
+            }
+        }
+    }
+    return made;
 }
 
 }  // namespace balcony::app

@@ -76,6 +76,7 @@ private:
     ROW(render)               \
     ROW(animate)              \
     ROW(merge)                \
+    ROW(dataset)              \
     ROW(check)                \
     ROW(explain)              \
     ROW(fmt)                  \
