@@ -102,6 +102,7 @@ struct PoseGroup {
 };
 
 struct Recipe {
+    std::filesystem::path folder{};  ///< Of the recipe; empty for the current one.
     std::vector<SceneChoice> scenes{};
     std::vector<CameraChoice> cameras{};
     std::vector<PoseGroup> groups{};

@@ -34,9 +34,24 @@ json matrix_json(const camera::Pose& pose, const std::string& axes, Axes world) 
 }
 
 std::string dumped(const json& object) {
-    constexpr int indent = 1;
-    constexpr bool ascii_only = true;
-    return object.dump(indent, ' ', ascii_only, json::error_handler_t::replace) + "\n";
+    const auto text_of = [](const json& value) {
+        constexpr bool ascii_only = true;
+        return value.dump(-1, ' ', ascii_only, json::error_handler_t::replace);
+    };
+    std::string text;
+    for (const auto& [name, value] : object.items()) {
+        text += fmt::format("{}{}: ", text.empty() ? "{\n" : ",\n", text_of(name));
+        if (!value.is_array()) {
+            text += text_of(value);
+            continue;
+        }
+        text += '[';
+        for (std::size_t i = 0; i < value.size(); ++i) {
+            text += fmt::format("{}\n {}", i > 0 ? "," : "", text_of(value[i]));
+        }
+        text += ']';
+    }
+    return text + "\n}\n";
 }
 
 }  // namespace balcony::dataset

@@ -22,7 +22,7 @@ namespace balcony::dataset {
 [[nodiscard]] nlohmann::json matrix_json(const camera::Pose& pose, const std::string& axes,
                                          Axes world);
 
-/// JSON as a text with a line for each entry.
+/// An object of JSON as a text with a line for each entry, and for each element of its lists.
 [[nodiscard]] std::string dumped(const nlohmann::json& json);
 
 }  // namespace balcony::dataset

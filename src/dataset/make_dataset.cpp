@@ -5,14 +5,16 @@
 #include <chrono>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <new>
-#include <set>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "balcony/dataset.hpp"
+#include "balcony/names.hpp"
 #include "balcony/output_file.hpp"
 #include "balcony/progress.hpp"
 #include "dataset/files.hpp"
@@ -61,18 +63,47 @@ public:
         maker_.emplace(*plan_, planned->scene, std::move(*planned->prepared));
         const auto begin_of_frames = Clock::now();
         make_frames();
+        count_warnings();
         report_.seconds = seconds_since(begin_of_frames);
     }
 
 private:
     bool fails(const Diagnostics& found) {
+        report_.diagnostics.insert(report_.diagnostics.end(), found.begin(), found.end());
+        return has_errors(found);
+    }
+
+    // Thousands of frames may have one thing to say, but for its numbers: the first one says it.
+    bool fails(const Diagnostics& found, const Frame& frame) {
         for (const Diagnostic& one : found) {
-            // Thousands of frames may have one thing to say.
-            if (one.severity == Severity::error || told_.insert(one.message).second) {
+            if (one.severity == Severity::error) {
                 report_.diagnostics.push_back(one);
+                continue;
+            }
+            std::string text = one.message;
+            std::erase_if(text, [](char c) {
+                return std::string_view("0123456789.-").find(c) != std::string_view::npos;
+            });
+            const auto [told, is_new] =
+                told_.try_emplace(text, std::size_t{0}, report_.diagnostics.size());
+            if (is_new) {
+                report_.diagnostics.push_back(
+                    warning(fmt::format("frame '{}': {}", frame.name, one.message), one.span,
+                            "the poses of the recipe say where its cameras stand"));
+            } else {
+                ++told->second.first;
             }
         }
         return has_errors(found);
+    }
+
+    void count_warnings() {
+        for (const auto& [text, told] : told_) {
+            if (told.first > 0) {
+                report_.diagnostics[told.second].message +=
+                    fmt::format(" (and {} more)", counted(told.first, "frame"));
+            }
+        }
     }
 
     [[nodiscard]] bool is_selected(const Frame& frame) const {
@@ -210,7 +241,7 @@ private:
     // The layers come last of all, so that a frame that has them is complete.
     bool make(const Frame& frame) {
         const auto data = maker_->make(frame, observer_, stop_);
-        if (fails(data.diagnostics)) {
+        if (fails(data.diagnostics, frame)) {
             return false;
         }
         for (const std::string& name : plan_->recipe.layouts) {
@@ -240,7 +271,8 @@ private:
     DatasetReport& report_;
     const Plan* plan_ = nullptr;
     std::optional<FrameMaker> maker_;
-    std::set<std::string> told_;
+    // How many frames more have a warning, and its index.
+    std::map<std::string, std::pair<std::size_t, std::size_t>> told_;
 };
 
 }  // namespace
@@ -255,6 +287,9 @@ DatasetReport make_dataset(const DatasetRequest& request, const app::Observer& o
                                            "make the pictures smaller, or free some memory"));
     }
     report.interrupted |= kind_of_errors(report.diagnostics) == Kind::interrupted;
+    std::erase_if(report.diagnostics, [](const Diagnostic& one) {
+        return one.kind == Kind::interrupted && one.severity == Severity::error;
+    });
     return report;
 }
 

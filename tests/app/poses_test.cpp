@@ -64,6 +64,29 @@ TEST(Poses, OfRoundedMatricesAreExactRotations) {
     EXPECT_NEAR((x.cross(y) - rotated(*made, {0, 0, 1})).length(), 0.0, 1e-15);
 }
 
+TEST(Poses, HaveTheMatricesThatTheyWereMadeOf) {
+    for (const Axes world : {Axes::z_up, Axes::y_up}) {
+        for (const auto& [name, matrix] :
+             {std::pair("opencv", opencv), {"opengl", opengl}, {"balcony", balcony}}) {
+            const auto made = matrix_of(*pose_of(matrix, name, world), name, world);
+            ASSERT_TRUE(made) << name;
+            EXPECT_EQ(*made, matrix) << name;
+        }
+    }
+    EXPECT_FALSE(matrix_of({}, "opencb", Axes::z_up));
+}
+
+TEST(Poses, CombineAsTheirPointsDo) {
+    const camera::Pose outer = *pose_of(opencv, "balcony", Axes::z_up);
+    const camera::Pose inner = *pose_of(opengl, "balcony", Axes::z_up);
+    const camera::Pose both = combined(outer, inner);
+    const auto placed = [](const camera::Pose& pose, const V3d& point) {
+        return rotated(pose, point) + V3d(pose.position[0], pose.position[1], pose.position[2]);
+    };
+    const V3d point(1, 2, 3);
+    EXPECT_EQ(placed(both, point), placed(outer, placed(inner, point)));
+}
+
 TEST(Poses, RefuseOtherMatrices) {
     PoseMatrix scaled = balcony;
     scaled[0][0] = -2.0;

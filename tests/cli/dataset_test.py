@@ -13,7 +13,7 @@ import support
 RECIPE = """
 layers = ["rgb", "depth"]
 scenes = ["scene.obj"]
-cameras = ["my.cam:above", "pinhole"]
+cameras = ["slit.cam:slit", "pinhole"]
 
 [render]
 size = "64x48"
@@ -25,9 +25,18 @@ keys = [{at = [0, 0, 4], look_at = [0.5, 0, 0]}, {at = [1, 0, 3], look_at = [0, 
 """
 
 
+CAMERA = """camera slit {
+    map u = 1 .. -1, v = square
+    eye line((0, 0, 0), (0, 1, 0))
+    toward surface(u, v) = [1, u, v]
+}
+"""
+
+
 class DatasetCommand(support.CommandTest):
     def setUp(self):
         super().setUp()
+        (self.folder / "slit.cam").write_text(CAMERA)
         self.write()
 
     def write(self, *changes):
@@ -45,8 +54,8 @@ class DatasetCommand(support.CommandTest):
         out, err = self.run_command("dataset", "a.toml", "-o", "set")
         self.assertIn("set: 8 frames, 8 frames rendered in", out)
         self.assertIn("pinhole: 64 x 48 pixels, pinhole", out)
-        self.assertIn("above: 64 x 48 pixels, several viewpoints", out)
-        self.assertEqual(err, "")
+        self.assertIn("slit: 64 x 48 pixels, several viewpoints", out)
+        self.assertNotIn("warning", err)
         self.assertEqual(len(self.contents("set")), 17)
         facts = self.json_of("dataset", "a.toml", "-o", "set")
         self.assertEqual((facts["frames"], facts["rendered"], facts["skipped"]), (8, 0, 8))
@@ -97,6 +106,15 @@ class DatasetCommand(support.CommandTest):
         self.assertEqual(process.returncode, 130, err)
         self.assertIn(b"interrupted: ", out + err)
 
+    def test_frames_that_say_the_same_say_it_once(self):
+        self.write(("look_at = [0.5, 0, 0]", "look_at = [0, 0.1, 9]"),
+                   ("look_at = [0, 0, 0]", "look_at = [0.1, 0, 9]"))
+        diagnostics = self.json_of("dataset", "a.toml", "-o", "set")["diagnostics"]
+        self.assertEqual(len(diagnostics), 2, diagnostics)
+        for said, name in zip(diagnostics, ("slit", "pinhole")):
+            self.assertTrue(said["message"].startswith(f"frame '{name}-00000': no ray of "))
+            self.assertTrue(said["message"].endswith(" (and 3 frames more)"))
+
     def test_another_recipe_is_refused(self):
         self.run_command("dataset", "a.toml", "-o", "set", "-q")
         self.write(("samples = 2", "samples = 3"))
@@ -115,7 +133,7 @@ class DatasetCommand(support.CommandTest):
                 (("path = 4", "path = 4\nclosd = true"), "a.toml:12:1", "did you mean 'closed'"),
                 (("size =", "sise ="), "a.toml:7:1", "did you mean 'size'"),
                 (("scene.obj", "none.obj"), "none.obj", ""),
-                (("my.cam:above", "my.cam:abve"), "a camera 'abve'", "did you mean 'above'"),
+                (("slit.cam:slit", "slit.cam:slip"), "a.toml:4:12", "did you mean 'slit'"),
                 (("\"pinhole\"", "\"pinhle\""), "pinhle", "did you mean 'pinhole'"),
                 (("[[poses]]", "[[poses]"), "a.toml:10:", ""),
                 (("look_at = [0.5, 0, 0]", "look_at = [0, 0]"), "a.toml:12:", "[x, y, z]")):

@@ -44,7 +44,8 @@ def seen(origins, directions):
     with np.errstate(divide="ignore", invalid="ignore"):
         near = (CENTER - np.sign(directions) - origins) / directions
         far = (CENTER + np.sign(directions) - origins) / directions
-    near = np.where(directions == 0, -np.inf, near)
+    beside = np.abs(np.broadcast_to(origins, directions.shape) - CENTER) > 1
+    near = np.where(directions == 0, np.where(beside, np.inf, -np.inf), near)
     far = np.where(directions == 0, np.inf, far)
     entry = near.max(axis=-1)
     hits = (entry < far.min(axis=-1)) & (entry > 0)

@@ -1,6 +1,10 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
+#include <cmath>
+
+#include <fmt/format.h>
+
 #include "support.hpp"
 
 namespace balcony::dataset::lenses_test {
@@ -74,16 +78,40 @@ TEST_F(Lenses, APinholeMayStandAsideAndLookAnotherWay) {
     EXPECT_NEAR(rotation[2][2], 1.0, 1e-12);
 }
 
-// None of the models: an equisolid fisheye is only near to one, and a mirror image is no pinhole.
+// Seen from the sphere itself, Mei's model is the stereographic projection.
+TEST_F(Lenses, AStereographicFisheyeIsOmnidirectional) {
+    const PlannedCamera camera = planned(
+        "camera c {\n map u = 1.5 .. -1.5, v = square\n eye point(0, 0, 0)\n"
+        " toward surface(u, v) = [1 - (u^2 + v^2)/4, u, v]\n}");
+    ASSERT_TRUE(camera.lens);
+    EXPECT_EQ(camera.lens->model, "omnidirectional");
+    EXPECT_NEAR(camera.lens->number("xi"), 1.0, 1e-5);
+    // Half the tangent of half the angle is at 64/3 pixels a unit, and the model has twice as many.
+    EXPECT_NEAR(camera.lens->number("fx"), 2.0 * 64.0 / 3.0, 1e-3);
+}
+
+// A picture that turns by 180 degrees is one of a camera that stands on its head.
+TEST_F(Lenses, AMirrorImageHasNone) {
+    const auto flipped = [](const char* u, const char* v) {
+        return fmt::format(
+            "camera c {{\n map u = {}, v = {}\n eye point(0, 0, 0)\n"
+            " toward plane((1, 0, 0))\n}}",
+            u, v);
+    };
+    EXPECT_FALSE(planned(flipped("-0.5 .. 0.5", "-0.375 .. 0.375")).lens);
+    EXPECT_FALSE(planned(flipped("0.5 .. -0.5", "0.375 .. -0.375")).lens);
+    const PlannedCamera turned = planned(flipped("-0.5 .. 0.5", "0.375 .. -0.375"));
+    ASSERT_TRUE(turned.lens);
+    EXPECT_NEAR(turned.lens->in_camera.rotation[2][2], -1.0, 1e-12);
+}
+
+// Between two models: a panorama is a pinhole along its columns and a fisheye along its rows.
 TEST_F(Lenses, WhatIsOnlyNearIsNotTaken) {
-    EXPECT_FALSE(planned("camera c {\n map u = 1 .. -1, v = square\n eye point(0, 0, 0)\n"
-                         " toward sphere(1, by = equal_area)\n}")
-                     .lens);
-    const PlannedCamera mirrored = planned(
-        "camera c {\n map u = -0.5 .. 0.5, v = square\n eye point(0, 0, 0)\n"
-        " toward plane((1, 0, 0))\n}");
-    EXPECT_FALSE(mirrored.lens);
-    EXPECT_TRUE(mirrored.viewpoint);
+    const PlannedCamera camera = planned(
+        "camera c {\n map u = 0.5 .. -0.5, v = square\n eye point(0, 0, 0)\n"
+        " toward surface(u, v) = [cos(u), sin(u), v]\n}");
+    EXPECT_TRUE(camera.viewpoint);
+    EXPECT_FALSE(camera.lens);
 }
 
 TEST_F(Lenses, RaysFromSeveralPointsHaveNone) {

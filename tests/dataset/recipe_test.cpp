@@ -105,7 +105,7 @@ TEST_F(RecipeFile, NamesAreUnique) {
         "scenes = [\"room.obj\", \"room.obj\"]\ncameras = [\"fisheye\"]\n"
         "[[poses]]\nrandom = 1\n");
     ASSERT_FALSE(made);
-    EXPECT_NE(to_text(made.diagnostics).find("recipe.toml:1:24: error: the name 'room' is there"),
+    EXPECT_NE(to_text(made.diagnostics).find("recipe.toml:1:23: error: the name 'room' is there"),
               std::string::npos);
 }
 

@@ -32,7 +32,7 @@ class Datasets(RoomTest):
         for i, frame in enumerate(self.made):
             self.assertEqual(frame.index, i)
             self.assertTrue(frame.is_finished)
-            self.assertEqual(list(frame), ["rgb", "rays", "depth", "object", "valid"])
+            self.assertEqual(set(frame), {"rgb", "rays", "depth", "object", "valid"})
             self.assertEqual((frame["rgb"].dtype, frame["rgb"].shape[:2]), (np.uint8, (16, 24)))
             self.assertEqual((frame["depth"].dtype, frame["depth"].shape), (np.float32, (16, 24)))
             self.assertEqual((frame["object"].dtype, frame["rays"].shape), (np.uint32, (16, 24, 6)))

@@ -79,7 +79,7 @@ std::optional<std::vector<double>> by_terms(const Sights& sights, const Terms& t
         right[i] = sights.points[index].x;
     }
     const Vector x = least_squares(of_x, right);
-    if (!(std::abs(x[1]) > 0.0)) {
+    if (!(x[1] > 0.0)) {  // Otherwise a mirror image.
         return std::nullopt;
     }
     Rows of_y(rows, 2);
@@ -94,6 +94,9 @@ std::optional<std::vector<double>> by_terms(const Sights& sights, const Terms& t
         right[i] = sights.points[index].y;
     }
     const Vector y = least_squares(of_y, right);
+    if (!(y[1] > 0.0)) {
+        return std::nullopt;
+    }
     std::vector<double> numbers{x[1], y[1], x[0], y[0]};
     for (std::size_t j = 1; j <= count; ++j) {
         numbers.push_back(x[static_cast<Eigen::Index>(j + 1)] / x[1]);
@@ -345,6 +348,15 @@ void settle(camera::Pose& pose) {
     pose.rotation = own.rotation;
 }
 
+// A coefficient of a distortion that rounding has left is none.
+void settle(std::vector<double>& numbers) {
+    constexpr std::size_t first_coefficient = 4;
+    constexpr double rounding = 1e-12;
+    for (std::size_t i = first_coefficient; i < numbers.size(); ++i) {
+        numbers[i] = std::abs(numbers[i]) < rounding ? 0.0 : numbers[i];
+    }
+}
+
 }  // namespace
 
 double Lens::number(std::string_view name) const {
@@ -383,7 +395,10 @@ std::optional<Lens> lens_of(const SampledRays& rays) {
     const Sights sights = sights_of(rays, in_camera);
     in_camera.position = position;
     for (const Model& model : models()) {
-        const auto numbers = model.numbers(sights);
+        auto numbers = model.numbers(sights);
+        if (numbers) {
+            settle(*numbers);
+        }
         if (numbers && largest_miss(model, *numbers, sights) < tolerance) {
             return Lens{model.name, model.names, *numbers, in_camera};
         }

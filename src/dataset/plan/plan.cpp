@@ -86,12 +86,19 @@ public:
         }
         for (const std::string& file : files_) {
             const auto hash = content_hash(file);
-            made_.plan.files.push_back({file, hash ? fmt::format("{:016x}", *hash) : "unreadable"});
+            made_.plan.files.push_back(
+                {name_of(file), hash ? fmt::format("{:016x}", *hash) : "unreadable"});
         }
         return std::move(found_);
     }
 
 private:
+    // As seen from the folder of the recipe, so that each machine calls it the same.
+    [[nodiscard]] std::string name_of(const std::filesystem::path& file) const {
+        return recipe_.folder.empty() ? file.generic_string()
+                                      : file.lexically_proximate(recipe_.folder).generic_string();
+    }
+
     bool add_scene(std::size_t index) {
         const SceneChoice& choice = recipe_.scenes[index];
         auto prepared =

@@ -20,6 +20,7 @@ namespace {
 
 // Candidates for each pose that is wanted, before a scene is said to have no room.
 constexpr std::size_t tries_per_pose = 1000;
+constexpr std::size_t tries_at_once = 64;
 // The places from which a candidate may be in sight: where one stands well, and the nearest others.
 constexpr std::size_t most_views = 16;
 
@@ -45,18 +46,16 @@ private:
 class OpenPlaces {
 public:
     OpenPlaces(const scene::Scene& scene, const render::Renderer& renderer, const V3d& inside,
-               double clearance, const std::stop_token& stop)
-        : scene_(scene), renderer_(renderer), inside_(inside), clearance_(clearance), stop_(stop) {}
+               const std::stop_token& stop)
+        : scene_(scene), renderer_(renderer), inside_(inside), stop_(stop) {}
 
-    /// Whether a place is one of them, which it then joins.
+    /// For each place, how far surfaces are.
+    [[nodiscard]] Result<std::vector<double>> clearances(std::span<const V3d> places) const {
+        return render::clearances(scene_, places, Axes::z_up, stop_);
+    }
+
+    /// Whether a place that is clear is one of them, which it then joins.
     [[nodiscard]] Result<bool> take(const V3d& place) {
-        const auto clearances = render::clearances(scene_, std::span(&place, 1), Axes::z_up, stop_);
-        if (!clearances) {
-            return clearances.diagnostics;
-        }
-        if (clearances->front() < clearance_) {
-            return false;
-        }
         const Result<bool> seen = is_seen(place);
         if (seen && *seen) {
             taken_.push_back(place);
@@ -89,7 +88,6 @@ private:
     const scene::Scene& scene_;
     const render::Renderer& renderer_;
     V3d inside_;
-    double clearance_;
     std::stop_token stop_;
     std::vector<V3d> taken_;
 };
@@ -102,6 +100,24 @@ Imath::Box3d box_of(const RandomPoses& wanted, const render::SceneExtent& extent
     box.extendBy(turned((*wanted.box)[0], axes, Axes::z_up));
     box.extendBy(turned((*wanted.box)[1], axes, Axes::z_up));
     return box;
+}
+
+struct Candidate {
+    V3d place{0.0};
+    double yaw = 0.0, pitch = 0.0, roll = 0.0;
+};
+
+std::vector<Candidate> drawn(const RandomPoses& wanted, const Imath::Box3d& box, Numbers& numbers) {
+    std::vector<Candidate> made(tries_at_once);
+    for (Candidate& one : made) {
+        for (int axis = 0; axis < 3; ++axis) {
+            one.place[axis] = numbers.between(box.min[axis], box.max[axis]);
+        }
+        one.yaw = numbers.between(wanted.yaw.least, wanted.yaw.most);
+        one.pitch = numbers.between(wanted.pitch.least, wanted.pitch.most);
+        one.roll = numbers.between(wanted.roll.least, wanted.roll.most);
+    }
+    return made;
 }
 
 }  // namespace
@@ -132,31 +148,37 @@ Result<std::vector<camera::Pose>> random_poses(const RandomPoses& wanted, const 
     const V3d size = extent->bounds.size();
     const double clearance = wanted.clearance.value_or(usual_part * std::hypot(size.x, size.y));
     Numbers numbers(seed, stream);
-    OpenPlaces open(scene, renderer, extent->inside, clearance, stop);
+    OpenPlaces open(scene, renderer, extent->inside, stop);
     std::vector<camera::Pose> made;
-    for (std::size_t i = 0; i < wanted.count * tries_per_pose && made.size() < wanted.count; ++i) {
-        V3d place;
-        for (int axis = 0; axis < 3; ++axis) {
-            place[axis] = numbers.between(box.min[axis], box.max[axis]);
+    for (std::size_t tried = 0; tried < wanted.count * tries_per_pose; tried += tries_at_once) {
+        const std::vector<Candidate> candidates = drawn(wanted, box, numbers);
+        std::vector<V3d> places;
+        for (const Candidate& one : candidates) {
+            places.push_back(one.place);
         }
-        const Result<bool> is_open = open.take(place);
-        if (!is_open) {
-            return is_open.diagnostics;
+        const auto clearances = open.clearances(places);
+        if (!clearances) {
+            return clearances.diagnostics;
         }
-        if (*is_open) {
-            const double yaw = numbers.between(wanted.yaw.least, wanted.yaw.most);
-            const double pitch = numbers.between(wanted.pitch.least, wanted.pitch.most);
-            const double roll = numbers.between(wanted.roll.least, wanted.roll.most);
-            made.push_back(pose_at(place, yaw, pitch, roll));
+        for (std::size_t i = 0; i < candidates.size() && made.size() < wanted.count; ++i) {
+            const Candidate& one = candidates[i];
+            const Result<bool> is_open =
+                (*clearances)[i] >= clearance ? open.take(one.place) : Result<bool>(false);
+            if (!is_open) {
+                return is_open.diagnostics;
+            }
+            if (*is_open) {
+                made.push_back(pose_at(one.place, one.yaw, one.pitch, one.roll));
+            }
+        }
+        if (made.size() == wanted.count) {
+            return made;
         }
     }
-    if (made.size() < wanted.count) {
-        return error(Kind::usage,
-                     fmt::format("'{}' has room for {} at random, not for {}, {} from all surfaces",
-                                 scene.name, counted(made.size(), "pose"), wanted.count, clearance),
-                     "make the clearance smaller, or give a box in the open");
-    }
-    return made;
+    return error(Kind::usage,
+                 fmt::format("'{}' has room for {} at random, not for {}, {} from all surfaces",
+                             scene.name, counted(made.size(), "pose"), wanted.count, clearance),
+                 "make the clearance smaller, or give a box in the open");
 }
 
 }  // namespace balcony::dataset

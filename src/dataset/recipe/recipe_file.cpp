@@ -51,6 +51,7 @@ public:
 
     void read(const toml::table& table) {
         Entries entries(table, text_, "a recipe");
+        made_.folder = folder_;
         read_list(entries, "scenes", [&](const toml::node& node) { add_scene(node); });
         read_list(entries, "cameras", [&](const toml::node& node) { add_camera(node); });
         read_list(entries, "poses", [&](const toml::node& node) {
