@@ -255,6 +255,9 @@ class Layouts(support.CommandTest):
                 file = folder / f"data_2d_raw/cube/image_0{number}/data_rect/{int(row[0]):010}.png"
                 sides |= self.check_sight(cube.y_up(pose[:3, 3]),
                                           cube.y_up(own @ pose[:3, :3].T), file)
+                self.check_hits(folder.parent, f"{name}-{int(row[0]):05}",
+                                lambda places: self.rectified(k, (
+                                    cube.z_up(places) - pose[:3, 3]) @ pose[:3, :3]))
                 original = folder.parent / f"rgb/{name}-{int(row[0]):05}.png"
                 self.assertEqual(file.read_bytes(), original.read_bytes())
             pose = system @ to_pose["image_02"]
@@ -264,6 +267,11 @@ class Layouts(support.CommandTest):
             self.assertTrue((folder / f"data_2d_raw/cube/image_02/data_rgb/{int(row[0]):010}.png")
                             .exists())
         self.assertEqual(sides, set(range(6)))
+
+    def rectified(self, k, points):
+        """cam2image of CameraPerspective, likewise."""
+        u, v, w = k[:, :3] @ points.T
+        return u / w + 0.5, v / w + 0.5
 
     def omni(self, file, points):
         """cam2image of CameraFisheye in kitti360scripts/helpers/project.py, but for the middle of
