@@ -27,14 +27,14 @@ def field(name, paragraph):
     return {word.split()[0] for word in words if word.split()}
 
 
-# build-essential has the compiler; the packages are built without tests and the module of Python.
-NOT_IN_PACKAGES = {"g++", "python3", "libgtest-dev", "pybind11-dev", "python3-dev", "python3-numpy"}
+# build-essential has the compiler; python3-dev has Python; the packages are built without tests.
+NOT_IN_PACKAGES = {"g++", "python3", "libgtest-dev", "python3-numpy"}
 
 
 class Debian(unittest.TestCase):
     def test_what_the_build_needs(self):
         self.assertEqual(field("Build-Depends", 0),
-                         section("build") - NOT_IN_PACKAGES | {"debhelper-compat"})
+                         section("build") - NOT_IN_PACKAGES | {"debhelper-compat", "dh-sequence-python3"})
 
     def test_what_programs_need(self):
         # NOTICE says of the others that programs do not contain them.
