@@ -28,7 +28,7 @@ class Balcony < Formula
 
   def install
     system "cmake", "-S", ".", "-B", "build", "-G", "Ninja", "-DBUILD_TESTING=OFF",
-                    "-DBALCONY_BENCH=OFF", *std_cmake_args
+                    "-DBALCONY_BENCH=OFF", "-DBALCONY_PYTHON=OFF", *std_cmake_args
     system "cmake", "--build", "build"
     system "cmake", "--install", "build"
   end

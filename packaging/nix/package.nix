@@ -12,7 +12,7 @@ stdenv.mkDerivation {
     boost cli11 eigen embree fmt imath libhwy libjpeg_turbo nlohmann_json openexr libpng openimageio proj
     sleef tbb yaml-cpp
   ];
-  cmakeFlags = [ "-DBUILD_TESTING=OFF" "-DBALCONY_BENCH=OFF" ];
+  cmakeFlags = [ "-DBUILD_TESTING=OFF" "-DBALCONY_BENCH=OFF" "-DBALCONY_PYTHON=OFF" ];
 
   meta = {
     description = "Rendering through extended cameras";
