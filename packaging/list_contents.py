@@ -1,9 +1,9 @@
 # Balcony: rendering through extended cameras.
 # SPDX-License-Identifier: Apache-2.0
-"""Usage: list_contents.py [--page LICENCES] VERSION DATE [LIBRARY...]
+"""Usage: list_contents.py [--page LICENCES | --python] VERSION DATE [LIBRARY...]
 
-Prints what a program built from these sources contains, as an SPDX 2.3 document (JSON): Balcony, the
-libraries that NOTICE names, the Debian packages of further libraries that travel with it, and, with
+Prints what the command, or the module of Python, contains, as an SPDX 2.3 document (JSON): Balcony, the
+libraries that NOTICE names for it, the Debian packages of further libraries that travel with it, and, with
 licences.txt of the pages, the packages of npm that it names. The versions of Debian's are
 those that are installed. DATE is in seconds since 1970.
 """
@@ -19,11 +19,11 @@ from pathlib import Path
 REPOSITORY = Path(__file__).resolve().parent.parent
 
 
-def rows_of_notice():
-    """Package and licence of each row; those of tests are not part of any program."""
+def rows_of_notice(part):
+    """Package and licence of each row that is for all, or for this part of Balcony."""
     for line in (REPOSITORY / "NOTICE").read_text().splitlines():
-        row = re.fullmatch(r"  \S.*?  +(lib\S+|nlohmann\S+) +([A-Za-z]\S+?)(, parts (\S+))?( .*)?", line)
-        if row and "(tests only)" not in line:
+        row = re.fullmatch(r"  \S.*?  +([a-z]\S+-dev) +([A-Za-z]\S+?)(, parts (\S+))?( .*)?", line)
+        if row and (" only)" not in line or f"({part} only)" in line):
             yield row[1], f"{row[2]} AND {row[4]}" if row[4] else row[2]
 
 
@@ -73,12 +73,13 @@ def packages_of_page(licences):
 def main():
     options = argparse.ArgumentParser()
     options.add_argument("--page")
+    options.add_argument("--python", action="store_true")
     options.add_argument("version")
     options.add_argument("date", type=int)
     options.add_argument("libraries", nargs="*")
     given = options.parse_args()
     version, date = given.version, given.date
-    licences = dict(rows_of_notice())
+    licences = dict(rows_of_notice("the module of Python" if given.python else "the command"))
     others = packages_of(given.libraries) - set(licences)
     balcony = {"SPDXID": "SPDXRef-balcony", "name": "balcony", "versionInfo": version,
                "downloadLocation": "NOASSERTION", "filesAnalyzed": False,
