@@ -65,7 +65,7 @@ class Release(unittest.TestCase):
         self.assertEqual(self.git("status", "--porcelain"), "")
         self.assertEqual(self.git("tag", "--points-at", "HEAD"), "v0.2.0\n")
         steps = [f"package {step} {suite}\n" for suite in ("bookworm", "trixie")
-                 for step in ("try", "deb", "reproduce", "try-deb")]
+                 for step in ("try", "deb", "reproduce", "try-deb", "wheel", "try-wheel")]
         self.assertEqual((self.folder / "build/package/done").read_text(), "package \n" + "".join(steps))
         for name, text in (("CMakeLists.txt", "project(balcony VERSION 0.2.0 LANGUAGES"),
                            ("debian/changelog", "balcony (0.2.0) unstable; "),
