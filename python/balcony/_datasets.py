@@ -7,12 +7,11 @@ from __future__ import annotations
 import json
 import os
 import re
-import sys
 from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from . import _balcony
+from . import _balcony, _progress
 
 if TYPE_CHECKING:
     import numpy as np
@@ -131,18 +130,10 @@ def dataset(recipe: str | os.PathLike | dict, folder: str | os.PathLike, *,
                                 "poses": [{"random": 20}], "render": {"size": (256, 256)}}, "out")
         made[0]["depth"]
     """
-    tell = _draw_bar if progress is True else progress or None
     file, text = ("", _toml_of(recipe)) if isinstance(recipe, dict) else (os.fspath(recipe), "")
-    try:
+    with _progress.shown(progress) as tell:
         _balcony.make_dataset(file, text, os.fspath(folder), shard, overwrite, tell)
-    finally:
-        if progress is True:
-            print(file=sys.stderr)
     return Dataset(folder)
-
-
-def _draw_bar(done: float) -> None:
-    print(f"\r[{'=' * round(40 * done):40}] {done:4.0%}", end="", file=sys.stderr, flush=True)
 
 
 def _toml_of(recipe: dict) -> str:

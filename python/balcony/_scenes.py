@@ -5,10 +5,9 @@
 from __future__ import annotations
 
 import os
-import sys
 from collections.abc import Callable
 
-from . import _balcony
+from . import _balcony, _progress
 from ._cameras import Camera
 from ._pictures import Picture
 from ._scene_parts import Light, Material, Object, PartName
@@ -141,24 +140,20 @@ class Scene:
         `scene.render(cam, size=(960, 480), samples=64, denoise=True)`. `layers="default,motion"` adds
         layers. `progress` draws a bar, or calls a function with the part that is done.
         """
-        of_scene = ""
-        if camera is not None and not isinstance(camera, Camera):
-            name = os.fspath(camera)
-            camera, of_scene = (None, name) if name.startswith("scene:") else (Camera(name), "")
-        tell = _draw_bar if progress is True else progress or None
-        try:
-            made = self._scene.render(camera and camera._camera, options, of_scene, tell)
-        finally:
-            if progress is True:
-                print(file=sys.stderr)
-        return Picture(made)
+        own, of_scene = chosen(camera)
+        with _progress.shown(progress) as tell:
+            return Picture(self._scene.render(own, options, of_scene, tell))
 
     def __repr__(self):
         return f"<balcony.Scene {self._file or 'without a file'}, {len(self.objects)} objects>"
 
 
-def _draw_bar(done: float) -> None:
-    print(f"\r[{'=' * round(40 * done):40}] {done:4.0%}", end="", file=sys.stderr, flush=True)
+def chosen(camera: Camera | str | os.PathLike | None):
+    """A camera for the library, and the name of one of the scene, "scene:NAME": one of them, or neither."""
+    if camera is None or isinstance(camera, Camera):
+        return camera and camera._camera, ""
+    name = os.fspath(camera)
+    return (None, name) if name.startswith("scene:") else (Camera(name)._camera, "")
 
 
 def load(file: str | os.PathLike, /, **options) -> Scene:

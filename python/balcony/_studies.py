@@ -5,14 +5,13 @@
 from __future__ import annotations
 
 import os
-import sys
 from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING
 
-from . import _balcony
+from . import _balcony, _progress
 from ._cameras import Camera, camera_of, sides_of
 from ._pictures import Picture
-from ._scenes import Scene, _draw_bar
+from ._scenes import Scene, chosen
 
 if TYPE_CHECKING:
     import numpy as np
@@ -69,17 +68,9 @@ def animate(scene: Scene | str | os.PathLike, camera: Camera | str | os.PathLike
     if not isinstance(scene, Scene):
         scene = Scene(scene, **{name: options.pop(name) for name in list(options)
                                 if _balcony.is_scene_option(name)})
-    of_scene = ""
-    if camera is not None and not isinstance(camera, Camera):
-        name = os.fspath(camera)
-        camera, of_scene = (None, name) if name.startswith("scene:") else (Camera(name), "")
+    own, of_scene = chosen(camera)
     if frames is not None:
         is_word = isinstance(frames, (str, int))
         options["frames"] = frames if is_word else ",".join(str(one) for one in frames)
-    tell = _draw_bar if progress is True else progress or None
-    try:
-        return _balcony.animate(scene._scene, camera and camera._camera,
-                                {**options, "output": os.fspath(output)}, of_scene, tell)
-    finally:
-        if progress is True:
-            print(file=sys.stderr)
+    with _progress.shown(progress) as tell:
+        return _balcony.animate(scene._scene, own, {**options, "output": os.fspath(output)}, of_scene, tell)

@@ -37,6 +37,19 @@ def python_with(*modules):
     return None
 
 
+def python_with_balcony(*modules, packages="build"):
+    """A Python with these modules, which finds the one of the build. Without either, the test is skipped."""
+    python = python_with(*modules)
+    if python is None:
+        skip(f"no Python has {' and '.join(modules)}", packages)
+    module = BALCONY.parent / "python"
+    if not module.exists():
+        print("this build has no module of Python")
+        sys.exit(SKIPPED)
+    os.environ["PYTHONPATH"] = str(module)
+    return python
+
+
 def run_line(line, folder, path):
     """What a command line prints; it must end with 0."""
     done = subprocess.run(["bash", "-c", line], cwd=folder, env=dict(os.environ, PATH=path),

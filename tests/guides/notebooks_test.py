@@ -3,7 +3,6 @@
 """Runs the notebooks of examples/notebooks, and compares what they print with what stands in them."""
 
 import json
-import os
 import shutil
 import subprocess
 import tempfile
@@ -12,13 +11,7 @@ from pathlib import Path
 
 import guide
 
-PYTHON = guide.python_with("numpy", "matplotlib", "PIL", "nbclient", "ipykernel")
-if PYTHON is None:
-    guide.skip("no Python has Jupyter's kernel and matplotlib")
-MODULE = guide.BALCONY.parent / "python"
-if not MODULE.exists():
-    print("this build has no module of Python")
-    raise SystemExit(guide.SKIPPED)
+PYTHON = guide.python_with_balcony("numpy", "matplotlib", "PIL", "nbclient", "ipykernel", packages="build guides")
 NOTEBOOKS = guide.REPOSITORY / "examples/notebooks"
 RUN = Path(__file__).parent / "run_notebooks.py"
 
@@ -38,8 +31,7 @@ class Notebooks(unittest.TestCase):
     def compare(self, name):
         with tempfile.TemporaryDirectory() as folder:
             copy = shutil.copy(NOTEBOOKS / name, folder)
-            environment = dict(os.environ, PYTHONPATH=str(MODULE))
-            done = subprocess.run([PYTHON, "-B", RUN, copy], env=environment, capture_output=True, text=True)
+            done = subprocess.run([PYTHON, "-B", RUN, copy], capture_output=True, text=True)
             self.assertEqual(done.returncode, 0, done.stderr)
             written, made = (json.loads(Path(file).read_text(encoding="utf-8")) for file in (NOTEBOOKS / name, copy))
         self.assertEqual(shown(made), shown(written), "scripts/pictures --notebooks writes it anew")

@@ -2,20 +2,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs docs/python.md."""
 
-import os
 import re
 from pathlib import Path
 
 import guide
 
-PYTHON = guide.python_with("numpy")
-if PYTHON is None:
-    guide.skip("no Python has numpy", "build")
-MODULE = guide.BALCONY.parent / "python"
-if not MODULE.exists():
-    print("this build has no module of Python")
-    raise SystemExit(guide.SKIPPED)
-os.environ["PYTHONPATH"] = str(MODULE)
+PYTHON = guide.python_with_balcony("numpy")
 
 
 class PythonGuide(guide.GuideTest):
