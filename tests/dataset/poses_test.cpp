@@ -35,9 +35,12 @@ protected:
             "layers = [\"depth\"]\n[[poses]]\n" +
             group);
         EXPECT_TRUE(recipe) << to_text(recipe.diagnostics);
-        const auto plan = make_plan(*recipe);
+        const auto plan = recipe ? make_plan(*recipe) : Result<Plan>(recipe.diagnostics);
         EXPECT_TRUE(plan) << to_text(plan.diagnostics);
         std::vector<camera::Pose> made;
+        if (!plan) {
+            return made;
+        }
         for (const PlannedPose& one : plan->scenes[0].poses) {
             made.push_back(one.pose);
         }
