@@ -11,6 +11,7 @@ class Balcony < Formula
   depends_on "cmake" => :build
   depends_on "eigen" => :build
   depends_on "ninja" => :build
+  depends_on "tomlplusplus" => :build
   depends_on "embree"
   depends_on "fmt"
   depends_on "highway"

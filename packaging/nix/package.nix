@@ -1,6 +1,7 @@
 # Untested; see packaging/README.md.
 { lib, stdenv, cmake, ninja, boost, cli11, eigen, embree, fmt, imath, libhwy, libjpeg_turbo, nlohmann_json
-, openexr, libpng, openimageio, proj, sleef, tbb, yaml-cpp }:
+, openexr, libpng, openimageio, proj, sleef, tbb, tomlplusplus
+, yaml-cpp }:
 
 stdenv.mkDerivation {
   pname = "balcony";
@@ -10,7 +11,7 @@ stdenv.mkDerivation {
   nativeBuildInputs = [ cmake ninja ];
   buildInputs = [
     boost cli11 eigen embree fmt imath libhwy libjpeg_turbo nlohmann_json openexr libpng openimageio proj
-    sleef tbb yaml-cpp
+    sleef tbb tomlplusplus yaml-cpp
   ];
   cmakeFlags = [ "-DBUILD_TESTING=OFF" "-DBALCONY_BENCH=OFF" "-DBALCONY_PYTHON=OFF" ];
 
