@@ -125,6 +125,7 @@ int main(int argc, char** argv) {
         Section{"solve", bench::print_solve},
         Section{"scenes", bench::print_scenes},
         Section{"start", bench::print_start},
+        Section{"calls", bench::print_calls},
     };
     const std::vector<std::string_view> wanted(argv + 1, argv + argc);
     const auto is_wanted = [&wanted](const Section& section) {

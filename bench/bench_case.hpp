@@ -49,6 +49,9 @@ void print_inverse();
 /// Prints how long it takes to find parameters of a camera.
 void print_solve();
 
+/// Prints how long calls take that other languages make, too.
+void print_calls();
+
 /// Prints how long a large scene file takes to load.
 void print_scenes();
 
