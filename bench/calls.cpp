@@ -74,16 +74,16 @@ analyse::Locator locator_of(const char* name) {
 }
 
 void print_rays_of_all_pixels() {
-    const auto grid =
-        value_of(bridge::RayGrid::make(picture_of("panorama"), {.width = call_width, .height = call_height}));
+    const auto grid = value_of(bridge::RayGrid::make(picture_of("panorama"),
+                                                     {.width = call_width, .height = call_height}));
     print_call("rays", [&] {
         // New memory for each call, as new arrays have.
         const std::unique_ptr<double[]> origins(new double[3 * grid.size()]);
         const std::unique_ptr<double[]> directions(new double[3 * grid.size()]);
         const std::unique_ptr<double[]> parameters(new double[2 * grid.size()]);
         const std::unique_ptr<std::uint8_t[]> valid(new std::uint8_t[grid.size()]);
-        static_cast<void>(bridge::fill(
-            grid, {origins.get(), directions.get(), valid.get(), parameters.get()}));
+        static_cast<void>(
+            bridge::fill(grid, {origins.get(), directions.get(), valid.get(), parameters.get()}));
     });
 }
 
@@ -107,9 +107,11 @@ void print_jacobian() {
     const analyse::Locator locator = locator_of("pinhole");
     const std::vector<V3d> places = points(some_points);
     print_call("jacobian", [&] {
-        static_cast<void>(value_of(app::position_derivatives(
-            picture, {.by = std::vector<std::string>{"fov", "yaw", "pitch"}, .size = {call_width, call_height}},
-            locator, places)));
+        static_cast<void>(value_of(
+            app::position_derivatives(picture,
+                                      {.by = std::vector<std::string>{"fov", "yaw", "pitch"},
+                                       .size = {call_width, call_height}},
+                                      locator, places)));
     });
 }
 

@@ -140,4 +140,8 @@ struct MeshArrays {
 /// Those behind it move up by one number.
 void remove_light(Scene& scene, std::size_t light);
 
+/// A hash of what edits can change, as it is at the time of the scene: meshes and where they stand,
+/// objects, the properties of materials and lights.
+[[nodiscard]] std::uint64_t content_hash(const Scene& scene);
+
 }  // namespace balcony::scene

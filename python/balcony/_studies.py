@@ -62,8 +62,7 @@ def animate(scene: Scene | str | os.PathLike, camera: Camera | str | os.PathLike
     of the scene need. Other options are those of `balcony animate`, with `_` for `-`.
 
     The same call continues after a stop: finished frames are kept, unless `overwrite=True`. Frames of
-    another camera, of other options or files are refused. What Python has changed in a loaded scene is
-    not compared.
+    another camera, of other options or files, or of a scene that was changed otherwise, are refused.
     """
     if not isinstance(scene, Scene):
         scene = Scene(scene, **{name: options.pop(name) for name in list(options)

@@ -235,6 +235,20 @@ class Animate(RoomTest):
             with self.assertRaisesRegex(balcony.InputError, "another animation"):
                 balcony.animate(scene, other, output, **arguments)
 
+    def test_a_scene_with_other_changes_is_another_animation(self):
+        def animate(**lamp):
+            scene = balcony.load(self.room)
+            scene["floor"].move(0, 0.1, 0)
+            scene.add_light("lamp", position=(0, 2, 0), **lamp)
+            return balcony.animate(scene, balcony.camera(AIMED).placed(np.eye(4)), self.folder / "edited.#.exr",
+                                   [1], size=(8, 8), samples=1)
+
+        files = animate(intensity=5)
+        before = os.stat(files[0]).st_mtime_ns
+        self.assertEqual(os.stat(animate(intensity=5)[0]).st_mtime_ns, before)
+        with self.assertRaisesRegex(balcony.InputError, "another animation"):
+            animate(intensity=6)
+
     def test_a_turntable_of_a_scene_by_its_file(self):
         words = {"size": 8, "samples": 1, "turntable": True, "lamp": "point 100 at 0,2,0"}
         files = balcony.animate(self.room, None, self.folder / "table.#.exr", 4, **words)

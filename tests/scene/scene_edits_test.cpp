@@ -83,6 +83,35 @@ Scene tetrahedron() {
 
 }  // namespace
 
+TEST_F(Edits, AreToldApartByTheirContent) {
+    const auto make = [](const Values& wood, const Values& lamp, const M44d& place) {
+        Scene scene;
+        const std::vector<V3d> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+        const std::vector<std::array<std::int64_t, 3>> faces{{0, 1, 2}};
+        const std::size_t material = *add_material(scene, "wood", wood);
+        EXPECT_TRUE(
+            add_object(scene, "leaf", {.positions = corners, .triangles = faces}, material, place));
+        EXPECT_TRUE(add_light(scene, "lamp", LightKind::point, lamp));
+        return scene;
+    };
+    const Values wood{{"roughness", {0.5}}};
+    const Values lamp{{"intensity", {5}}};
+    const Scene scene = make(wood, lamp, shifted(1, 2, 3));
+    EXPECT_EQ(content_hash(scene), content_hash(make(wood, lamp, shifted(1, 2, 3))));
+    std::vector<Scene> others{make({{"roughness", {0.6}}}, lamp, shifted(1, 2, 3)),
+                              make(wood, {{"intensity", {6}}}, shifted(1, 2, 3)),
+                              make(wood, lamp, shifted(1, 2, 4)),
+                              scene,
+                              scene,
+                              scene};
+    others[3].meshes[0].edit().positions[1].x = 2.0F;
+    others[4].objects[0].name = "petal";
+    others[5].lights[0].kind = LightKind::spot;
+    for (const Scene& other : others) {
+        EXPECT_NE(content_hash(other), content_hash(scene));
+    }
+}
+
 TEST_F(Edits, PartsAreFoundByNameOrNumber) {
     Scene scene = *load_glb(arm());
     EXPECT_EQ(scene.objects[object_in(scene, "tool")].name, "tool");

@@ -5,6 +5,8 @@
 
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "app/animation/animate.hpp"
 #include "app/inputs/loaded.hpp"
 #include "app/inputs/placement.hpp"
@@ -14,12 +16,14 @@
 #include "app/request_check.hpp"
 #include "app/words.hpp"
 #include "balcony/motion.hpp"
+#include "balcony/scene_edits.hpp"
 
 namespace balcony::app {
 
 struct PreparedScene::State {
     Request request;
     Loaded loaded;
+    bool is_edited = false;                      // Its files do not tell what it is.
     std::shared_ptr<const render::Film> film{};  // Of the last picture.
 
     [[nodiscard]] Request request_for(const camera::Picture& picture, const Request& asked) const;
@@ -43,6 +47,7 @@ Result<PreparedScene> PreparedScene::make(scene::Scene scene, const Request& req
     state->request = request;
     complete(scene, request);
     state->loaded.scene = std::make_shared<const scene::Scene>(std::move(scene));
+    state->is_edited = true;
     return make(std::move(state), observer, stop);
 }
 
@@ -62,7 +67,8 @@ Result<PreparedScene> PreparedScene::make(std::unique_ptr<State> state, const Ob
 }
 
 PreparedScene PreparedScene::share() const {
-    return PreparedScene(std::make_unique<State>(State{state_->request, shared(state_->loaded)}));
+    return PreparedScene(
+        std::make_unique<State>(State{state_->request, shared(state_->loaded), state_->is_edited}));
 }
 
 Result<lang::OpenPicture> PreparedScene::picture(
@@ -122,6 +128,7 @@ Diagnostics PreparedScene::edit(const SceneEdit& change) {
     Diagnostics found = change(changed);
     if (!has_errors(found)) {
         state_->loaded.scene = std::make_shared<const scene::Scene>(std::move(changed));
+        state_->is_edited = true;
     }
     return found;
 }
@@ -151,7 +158,12 @@ Report PreparedScene::render(const camera::Picture& picture, const Request& requ
     const auto scaled = at_true_scale(request, *scene(), picture);
     Diagnostics found = scaled.diagnostics;
     Report report;
-    if (scaled && move_along(*scaled, state_->loaded, stop, found)) {
+    if (request.job.resume && state_->is_edited) {
+        found.push_back(error(Kind::usage,
+                              "a picture of a scene that a program has changed is not continued",
+                              "render it from the beginning, or load the changes from a file"));
+    }
+    if (!has_errors(found) && move_along(*scaled, state_->loaded, stop, found)) {
         report = render_in(state_->loaded, *scaled, state_->request_for(*scaled, request), observer,
                            stop, state_->film);
     } else {
@@ -176,6 +188,9 @@ AnimationReport PreparedScene::animate(const camera::Picture& picture,
             return;
         }
         static_cast<void>(set_time(own.time_of(1)));  // The frames tell what cannot move.
+        if (own.identity && state_->is_edited) {
+            *own.identity += fmt::format("\nscene #{:016x}", scene::content_hash(*scene()));
+        }
         own.picture = state_->request_for(picture, animation.picture);
         Loaded& loaded = state_->loaded;
         const auto scaled = at_true_scale(own.picture, *loaded.scene, picture);
