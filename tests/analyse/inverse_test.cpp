@@ -366,6 +366,22 @@ TEST(Locate, ManyPointsAgreeWithSinglePointsAndThreads) {
     }
 }
 
+TEST(Locate, AllProcessorsFindWhatOneDoes) {
+    const camera::Camera camera = test::standard("superelliptic");
+    const auto locator = Locator::make(camera, 750, 150);
+    const RandomPoints random(camera, 750, 150, 10000);
+    const std::vector<Sighting> one = locator->locate(random.points);
+    std::vector<std::size_t> in_part;
+    const auto all = locator->locate(random.points, in_part);
+    ASSERT_TRUE(all) << to_text(all.diagnostics);
+    ASSERT_EQ(all->size(), one.size());
+    for (std::size_t i = 0; i < one.size(); ++i) {
+        EXPECT_EQ((*all)[i].point, one[i].point);
+        EXPECT_EQ((*all)[i].position, one[i].position);
+        EXPECT_EQ((*all)[i].distance, one[i].distance);
+    }
+}
+
 TEST(Locate, FindsExtremelyDistantPoints) {
     for (const char* name : {"pinhole", "panorama", "fisheye"}) {
         const auto locator = Locator::make(test::standard(name), 800, 400);

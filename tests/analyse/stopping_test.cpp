@@ -37,9 +37,9 @@ camera::Camera fisheye() { return test::standard("fisheye"); }
 
 Locator locator() { return *Locator::make(fisheye(), 300, 300); }
 
-std::vector<V3d> points() {
+std::vector<V3d> points(int count) {
     std::vector<V3d> made;
-    for (int i = 0; i < 2000; ++i) {
+    for (int i = 0; i < count; ++i) {
         made.emplace_back(std::cos(0.1 * i), std::sin(0.1 * i), 0.001 * i);
     }
     return made;
@@ -58,7 +58,12 @@ const std::vector<Case>& cases() {
         {"Locator::locate",
          [](const PartDone& progress, std::stop_token stop) {
              std::vector<std::size_t> in_part;
-             return errors_of(locator().locate(points(), in_part, progress, stop));
+             return errors_of(locator().locate(points(2000), in_part, progress, stop));
+         }},
+        {"Locator::locate by all processors",
+         [](const PartDone& progress, std::stop_token stop) {
+             std::vector<std::size_t> in_part;
+             return errors_of(locator().locate(points(20000), in_part, progress, stop));
          }},
         {"draw",
          [](const PartDone& progress, std::stop_token stop) {

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "analyse/inverse/linear_rays.hpp"
+#include "analyse/inverse/point_portions.hpp"
 #include "analyse/inverse/point_rays.hpp"
 #include "analyse/inverse/point_search.hpp"
 #include "analyse/inverse/ray_tree.hpp"
@@ -431,7 +432,10 @@ Result<std::vector<Sighting>> Locator::locate(std::span<const V3d> points,
     return unless_stopped([&]() -> Result<std::vector<Sighting>> {
         in_part.clear();
         const Work work(progress, std::move(stop));
-        std::vector<Sighting> found = index_->locate(points, in_part, work);
+        std::vector<Sighting> found = locate_in_portions(
+            points, in_part, work, [this](auto some, auto& in_part_of_some, const Work& own) {
+                return index_->locate(some, in_part_of_some, own);
+            });
         std::sort(in_part.begin(), in_part.end());
         in_part.erase(std::unique(in_part.begin(), in_part.end()), in_part.end());
         work.done(1.0);
