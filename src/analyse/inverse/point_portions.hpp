@@ -16,9 +16,9 @@
 
 namespace balcony::analyse {
 
-/// The sightings that locate(points, in_part, work) finds of points, a portion of them at a time, by
-/// all processors; what it adds to `in_part` are indices of points, too. The order is that of the
-/// points, for any number of processors.
+/// The sightings that locate(points, in_part, work) finds of points, a portion of them at a time,
+/// by all processors; what it adds to `in_part` are indices of points, too. The order is that of
+/// the points, for any number of processors.
 template <class Locate>
 [[nodiscard]] std::vector<Sighting> locate_in_portions(std::span<const V3d> points,
                                                        std::vector<std::size_t>& in_part,

@@ -43,6 +43,9 @@ std::string name_of_camera(const std::string& written) {
                                                                : fs::path(written).stem().string();
 }
 
+// Where GCC inlines this, it takes a pointer in it for uninitialized.
+[[gnu::noinline]] Recipe empty_recipe() { return {}; }
+
 /// Reads a recipe whose text has been parsed.
 class RecipeReader {
 public:
@@ -229,14 +232,10 @@ Result<Recipe> read_recipe(const std::shared_ptr<const SourceText>& text, const 
         return error(std::move(message), recipe_text.span_of(failure.source()),
                      "https://toml.io describes the format");
     }
-    Result<Recipe> made;
-    made.value.emplace();
-    RecipeReader(recipe_text, folder, *made).read(parsed.table());
-    if (has_errors(found)) {
-        return found;
-    }
-    made.diagnostics = std::move(found);
-    return made;
+    Recipe recipe = empty_recipe();
+    RecipeReader(recipe_text, folder, recipe).read(parsed.table());
+    return has_errors(found) ? Result<Recipe>(std::move(found))
+                             : Result<Recipe>(std::move(recipe), std::move(found));
 }
 
 Result<Recipe> read_recipe(const fs::path& file) {
