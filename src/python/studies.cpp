@@ -182,9 +182,10 @@ py::object warp(const py::object& given, const CameraPointer& wanted, const Came
         wanted, from, request, [&](const bridge::StMap& made, const std::stop_token& stop) {
             return bridge::warped_pixels(made, photo, stop);
         });
+    const Shape shape = shape_of(map);
     return std::visit(
         [&](auto&& numbers) -> py::object {
-            return array_of(std::forward<decltype(numbers)>(numbers), shape_of(map));
+            return array_of(std::forward<decltype(numbers)>(numbers), shape);
         },
         std::move(pixels));
 }
