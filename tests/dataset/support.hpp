@@ -56,13 +56,17 @@ f 12 9 13 16
 f 13 14 15 16
 )";
 
-/// A test with an empty folder, in which the room is.
+/// A test with a folder of its own, in which the room is.
 class RoomTest : public testing::Test {
 protected:
     void SetUp() override {
-        std::filesystem::remove_all(folder_);
-        std::filesystem::create_directories(folder_);
+        std::string pattern = testing::TempDir() + "balcony-dataset-XXXXXX";
+        folder_ = mkdtemp(pattern.data());
         write("room.obj", room);
+    }
+    void TearDown() override {
+        std::error_code ignored;
+        std::filesystem::remove_all(folder_, ignored);
     }
 
     void write(const std::string& name, std::string_view text) const {
@@ -76,9 +80,7 @@ protected:
     }
 
 private:
-    std::filesystem::path folder_ =
-        std::filesystem::path(testing::TempDir()) /
-        testing::UnitTest::GetInstance()->current_test_info()->test_suite_name();
+    std::filesystem::path folder_;
 };
 
 [[nodiscard]] inline std::string bytes_of(const std::filesystem::path& file) {
