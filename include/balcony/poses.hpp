@@ -38,6 +38,10 @@ using PoseMatrix = std::array<std::array<double, 4>, 3>;
 [[nodiscard]] Result<PoseMatrix> matrix_of(const camera::Pose& pose, std::string_view axes,
                                            Axes world);
 
+/// Where a point of what stands in a pose is, and which of its points is at a place.
+[[nodiscard]] Imath::V3d place_of(const camera::Pose& pose, const Imath::V3d& point);
+[[nodiscard]] Imath::V3d point_at(const camera::Pose& pose, const Imath::V3d& place);
+
 /// The pose of what stands in a pose inside of another one.
 [[nodiscard]] camera::Pose combined(const camera::Pose& outer, const camera::Pose& inner);
 

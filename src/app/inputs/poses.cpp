@@ -127,16 +127,31 @@ Result<PoseMatrix> matrix_of(const camera::Pose& pose, std::string_view axes, Ax
     return matrix;
 }
 
-camera::Pose combined(const camera::Pose& outer, const camera::Pose& inner) {
-    camera::Pose made;
+V3d place_of(const camera::Pose& pose, const V3d& point) {
+    const auto& [x, y, z] = pose.position;
+    return V3d(x, y, z) + rotated(pose, point);
+}
+
+V3d point_at(const camera::Pose& pose, const V3d& place) {
+    const auto& [x, y, z] = pose.position;
+    const V3d from = place - V3d(x, y, z);
+    V3d made;
     for (std::size_t i = 0; i < 3; ++i) {
-        made.position[i] = outer.position[i];
-        for (std::size_t j = 0; j < 3; ++j) {
-            made.position[i] += outer.rotation[i][j] * inner.position[j];
-            made.rotation[i][j] = 0.0;
-            for (std::size_t k = 0; k < 3; ++k) {
-                made.rotation[i][j] += outer.rotation[i][k] * inner.rotation[k][j];
-            }
+        made[static_cast<int>(i)] = pose.rotation[0][i] * from.x + pose.rotation[1][i] * from.y +
+                                    pose.rotation[2][i] * from.z;
+    }
+    return made;
+}
+
+camera::Pose combined(const camera::Pose& outer, const camera::Pose& inner) {
+    const auto& [x, y, z] = inner.position;
+    const V3d position = place_of(outer, V3d(x, y, z));
+    camera::Pose made{.rotation = {}, .position = {position.x, position.y, position.z}};
+    for (std::size_t j = 0; j < 3; ++j) {
+        const V3d column =
+            rotated(outer, V3d(inner.rotation[0][j], inner.rotation[1][j], inner.rotation[2][j]));
+        for (std::size_t i = 0; i < 3; ++i) {
+            made.rotation[i][j] = column[static_cast<int>(i)];
         }
     }
     return made;

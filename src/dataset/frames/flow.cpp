@@ -17,27 +17,6 @@ namespace {
 
 using Imath::V2f;
 
-// The point of the camera that is in this place in its pose.
-V3d in_camera(const camera::Pose& pose, const V3d& place) {
-    V3d made(0.0);
-    for (std::size_t i = 0; i < 3; ++i) {
-        for (std::size_t j = 0; j < 3; ++j) {
-            made[static_cast<int>(i)] +=
-                pose.rotation[j][i] * (place[static_cast<int>(j)] - pose.position[j]);
-        }
-    }
-    return made;
-}
-
-V3d in_world(const camera::Pose& pose, const V3d& point) {
-    V3d made;
-    for (std::size_t i = 0; i < 3; ++i) {
-        made[static_cast<int>(i)] = pose.position[i] + pose.rotation[i][0] * point.x +
-                                    pose.rotation[i][1] * point.y + pose.rotation[i][2] * point.z;
-    }
-    return made;
-}
-
 /// The points that the rays of a film meet.
 struct Hits {
     std::vector<std::size_t> pixels;
@@ -59,9 +38,9 @@ Hits hits_of(const render::Film& film, Axes axes) {
 // The straight parts of the ray of a sighting, up to its point.
 void add_lines(const analyse::Sighting& sighting, const camera::Pose& pose, const V3d& place,
                const camera::ObjectFilter* objects, std::vector<render::SightLine>& lines) {
-    V3d from = in_world(pose, sighting.origin);
+    V3d from = app::place_of(pose, sighting.origin);
     for (const V3d& turn : sighting.turns) {
-        const V3d to = in_world(pose, turn);
+        const V3d to = app::place_of(pose, turn);
         lines.push_back({from, to, objects});
         from = to;
     }
@@ -134,7 +113,7 @@ Result<std::vector<V2f>> FlowFinder::flow(const Plan& plan, const Frame& frame,
     const Hits hits = hits_of(film, scene.axes);
     std::vector<V3d> points;
     for (const V3d& place : hits.places) {
-        points.push_back(in_camera(pose, place));
+        points.push_back(app::point_at(pose, place));
     }
     std::vector<std::size_t> in_part;
     auto sightings = locator->second.locate(points, in_part, {}, stop);

@@ -219,7 +219,8 @@ std::optional<std::vector<double>> omnidirectional_numbers(const Sights& sights)
     for (int step = 0; step < 120; ++step) {
         const double a = high - golden * (high - low);
         const double b = low + golden * (high - low);
-        (miss_at(a) < miss_at(b) ? high : low) = miss_at(a) < miss_at(b) ? b : a;
+        const bool is_below = miss_at(a) < miss_at(b);
+        (is_below ? high : low) = is_below ? b : a;
     }
     miss_at(0.5 * (low + high));
     return best;
@@ -322,14 +323,9 @@ std::optional<Lens> turned_pinhole(const SampledRays& rays) {
 
 Sights sights_of(const SampledRays& rays, const camera::Pose& in_camera) {
     Sights made{rays.points, {}};
+    const camera::Pose turn{.rotation = in_camera.rotation, .position = {}};
     for (const V3d& d : rays.directions) {
-        V3d own;
-        for (std::size_t i = 0; i < 3; ++i) {
-            own[static_cast<int>(i)] = in_camera.rotation[0][i] * d.x +
-                                       in_camera.rotation[1][i] * d.y +
-                                       in_camera.rotation[2][i] * d.z;
-        }
-        made.directions.push_back(in_opencv(own));
+        made.directions.push_back(in_opencv(app::point_at(turn, d)));
     }
     return made;
 }
