@@ -54,6 +54,13 @@ namespace balcony::app {
 /// All of an animation but its scene, --output among them.
 [[nodiscard]] Options<AnimationRequest> animation_options();
 
+/// The name of the row that a name stands for where names have no hyphens: "--no-dither" of
+/// no_dither.
+[[nodiscard]] std::string option_name(std::string name);
+/// The word of an option whose value has several parts, such as numbers: 640x480 of --size.
+[[nodiscard]] std::string word_of_parts(const OptionInfo& row,
+                                        const std::vector<std::string>& parts);
+
 /// The name of a unit of length, in metres.
 [[nodiscard]] Value<double> unit_of_length();
 

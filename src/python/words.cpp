@@ -90,7 +90,7 @@ std::string word_of(const app::OptionInfo& row, const py::handle& given) {
     for (const py::handle& part : value) {
         parts.push_back(word_of(row, part));
     }
-    return fmt::format("{}", fmt::join(parts, row.name == "--size" ? "x" : ","));
+    return app::word_of_parts(row, parts);
 }
 
 std::vector<std::string> words_of(const app::OptionInfo& row, const py::handle& value) {
@@ -166,19 +166,13 @@ void check_use(const std::string& name, OptionUse use) {
     }
 }
 
-// The name of a row.
-std::string row_name(std::string name) {
-    std::replace(name.begin(), name.end(), '_', '-');
-    return "--" + name;
-}
-
 // The request is that of the target.
 template <class Target>
 void read_rows(const py::dict& options, const app::Options<Target>& known, OptionUse use,
                app::Request& request, Target& target) {
     app::GivenWords given;
     for (const auto& [key, value] : options) {
-        const std::string name = row_name(key.template cast<std::string>());
+        const std::string name = app::option_name(key.template cast<std::string>());
         const auto row = std::find_if(known.rows.begin(), known.rows.end(),
                                       [&](const app::OptionInfo& one) { return one.name == name; });
         if (row == known.rows.end()) {
@@ -227,7 +221,7 @@ void read_options(const py::dict& options, app::AnimationRequest& animation) {
     read_rows(options, app::animation_options(), OptionUse::frames, animation.picture, animation);
 }
 
-bool is_scene_option(const std::string& name) { return is_of_scene(row_name(name)); }
+bool is_scene_option(const std::string& name) { return is_of_scene(app::option_name(name)); }
 
 std::optional<Axes> axes_of(const py::object& name) {
     if (name.is_none()) {

@@ -3,10 +3,12 @@
 
 #include "balcony/picture_options.hpp"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "app/words.hpp"
 #include "balcony/inputs.hpp"
@@ -172,6 +174,15 @@ Options<Request> request_options() {
         add(found, check_request(request));
     });
     return made;
+}
+
+std::string option_name(std::string name) {
+    std::replace(name.begin(), name.end(), '_', '-');
+    return "--" + name;
+}
+
+std::string word_of_parts(const OptionInfo& row, const std::vector<std::string>& parts) {
+    return fmt::format("{}", fmt::join(parts, row.type == OptionType::size ? "x" : ","));
 }
 
 }  // namespace balcony::app

@@ -8,7 +8,6 @@
 #include <system_error>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "balcony/names.hpp"
 #include "dataset/picture_facts.hpp"
@@ -39,7 +38,7 @@ std::optional<std::string> word_of(const toml::node& node, const app::OptionInfo
         }
         parts.push_back(*word);
     }
-    return fmt::format("{}", fmt::join(parts, row.name == "--size" ? "x" : ","));
+    return app::word_of_parts(row, parts);
 }
 
 // The words of an option; nothing if it cannot have such a value.
@@ -85,20 +84,21 @@ void read_picture(const toml::node& node, const RecipeText& text,
     }
     app::GivenWords given;
     for (const auto& [key, value] : *table) {
-        std::string name(key.str());
-        std::replace(name.begin(), name.end(), '_', '-');
+        const std::string name = app::option_name(std::string(key.str()));
         const auto row = std::find_if(known.rows.begin(), known.rows.end(),
-                                      [&](const auto& one) { return one.name == "--" + name; });
+                                      [&](const auto& one) { return one.name == name; });
         if (row == known.rows.end()) {
-            text.found.push_back(error(
-                fmt::format("frames have no option '{}'", std::string(key.str())),
-                text.span_of(key.source()),
-                did_you_mean(name, names, "docs/datasets.md says which options frames have")));
+            text.found.push_back(
+                error(fmt::format("frames have no option '{}'", std::string(key.str())),
+                      text.span_of(key.source()),
+                      did_you_mean(name.substr(2), names,
+                                   "docs/datasets.md says which options frames have")));
             continue;
         }
         auto words = words_of(value, *row);
         if (!words) {
-            text.add(value, fmt::format("'{}' cannot have this value", name), row->meaning);
+            text.add(value, fmt::format("'{}' cannot have this value", name.substr(2)),
+                     row->meaning);
             continue;
         }
         if (words->empty()) {
