@@ -78,6 +78,8 @@ public:
 
     /// The text of a file with this camera, its values written into it. It has no pose.
     [[nodiscard]] Result<std::string> text();
+    /// What tells its picture from that of another camera: the text and the pose.
+    [[nodiscard]] Result<std::string> identity();
 
 private:
     struct State;

@@ -4,7 +4,6 @@
 // Data sets, and their pictures as arrays.
 
 #include <array>
-#include <atomic>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -23,6 +22,7 @@
 #include "python/diagnostics.hpp"
 #include "python/objects.hpp"
 #include "python/running.hpp"
+#include "python/told.hpp"
 
 namespace balcony::python {
 
@@ -51,26 +51,17 @@ std::array<std::size_t, 3> make(const std::string& file, const std::string& text
         }
         request.shard = balcony::render::Shard{part - 1, parts};
     }
-    std::atomic<double> done = 0.0;
-    double told = 0.0;
+    ToldPart told(progress);
     app::Observer observer;
     observer.frame = [&](std::size_t, std::size_t index, std::size_t count) {
-        done = static_cast<double>(index) / static_cast<double>(count);
-    };
-    const auto tell_progress = [&] {
-        const double now = done;
-        if (!progress.is_none() && now != told) {
-            told = now;
-            progress(now);
-        }
+        told.set(static_cast<double>(index) / static_cast<double>(count));
     };
     const dataset::DatasetReport report = made_by(
         [&](const std::stop_token& stop) { return dataset::make_dataset(request, observer, stop); },
-        tell_progress);
+        [&] { told(); });
     tell(report.diagnostics);
-    if (!progress.is_none()) {
-        progress(1.0);
-    }
+    told.set(1.0);
+    told();
     return {report.frames, report.rendered, report.skipped};
 }
 

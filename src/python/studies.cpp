@@ -236,24 +236,12 @@ app::Observer observer_of_frames(ToldPart& told) {
     return made;
 }
 
-// What tells the picture of a camera from that of another.
-Result<std::string> identity_of(app::EditableCamera& camera) {
-    auto text = camera.text();
-    if (text && camera.pose()) {
-        const camera::Pose& pose = *camera.pose();
-        for (std::size_t row = 0; row < 3; ++row) {
-            *text += fmt::format("\n{} {}", fmt::join(pose.rotation[row], " "), pose.position[row]);
-        }
-    }
-    return text;
-}
-
 app::AnimationReport animated(const ScenePointer& scene, CameraObject& camera,
                               app::AnimationRequest animation, const app::Observer& observer,
                               const std::stop_token& stop) {
     const Locked locked(camera, scene);
     const auto picture = camera.picture(scene, stop);
-    const auto identity = identity_of(camera.camera);
+    const auto identity = camera.camera.identity();
     if (!picture || !identity) {
         return {.diagnostics = picture ? identity.diagnostics : picture.diagnostics};
     }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "balcony/inputs.hpp"
 
@@ -218,6 +219,17 @@ Result<CameraExport> EditableCamera::export_camera(CameraExportRequest request) 
 
 Result<std::string> EditableCamera::text() {
     return state_->workspace.with_values(state_->source, state_->name, state_->values);
+}
+
+Result<std::string> EditableCamera::identity() {
+    Result<std::string> made = text();
+    if (made && pose()) {
+        for (std::size_t row = 0; row < 3; ++row) {
+            *made += fmt::format("\n{} {}", fmt::join(pose()->rotation[row], " "),
+                                 pose()->position[row]);
+        }
+    }
+    return made;
 }
 
 }  // namespace balcony::app

@@ -99,9 +99,7 @@ Result<FrameData> FrameMaker::make(const Frame& frame, const app::Observer& obse
         return stopped();
     }
     data.film = prepared_.film();
-    data.display = {.exposure = request.exposure.value_or(0.0),
-                    .view = request.view_transform(),
-                    .dither = request.dither};
+    data.display = request.display();
     if (has_layer(plan_.recipe, "flow")) {
         auto flow = flows_.flow(plan_, frame, *data.film, prepared_.renderer(), stop);
         if (!flow) {
