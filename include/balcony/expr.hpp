@@ -245,9 +245,12 @@ public:
     /// their results.
     [[nodiscard]] Expr apply(Op op, std::span<const Expr> arguments);
 
-    /// A copy of a node of this or another graph, with arguments in this graph.
+    /// A node of this or another graph with arguments in this graph, as its function makes it:
+    /// folded or rewritten where they allow it.
     [[nodiscard]] Expr remake(const Graph& source, const Node& node,
                               std::span<const Expr> arguments);
+    /// The same without folding and rewriting, so that no value changes by rounding.
+    [[nodiscard]] Expr copy(const Graph& source, const Node& node, std::span<const Expr> arguments);
 
     [[nodiscard]] std::size_t size() const { return nodes_.size(); }
     /// Work on the graph that adds no nodes ends with the same stop.

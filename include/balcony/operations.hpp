@@ -6,7 +6,10 @@
 // them stands in its row.
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -97,6 +100,13 @@ enum class UnitRule : std::uint8_t {
     quotient,            ///< Of two angles, a plain number; an angle by a number stays one.
 };
 
+/// Where the values of an expression lie: from `least` to `most`, those that are not NaN.
+struct Range {
+    double least = -std::numeric_limits<double>::infinity();
+    double most = std::numeric_limits<double>::infinity();
+    bool may_be_nan = true;
+};
+
 /// All facts about one operation, which are defined only here.
 struct Operation {
     static constexpr int variadic = -1;
@@ -118,10 +128,23 @@ struct Operation {
     /// null where it is 0 throughout.
     Expr (*derivative)(Expr self, std::span<const Expr> arguments,
                        std::span<const Expr> slopes) = nullptr;
+    /// Where the values of every runner lie if the arguments lie there; null where nothing is
+    /// known. Conditions and select() alone are asked about arguments that may be NaN.
+    Range (*range)(const Range* arguments) = nullptr;
+    /// Which argument the value always is then, to the last bit; none if that is open. Null for
+    /// operations that never choose.
+    std::optional<std::size_t> (*chosen)(const Range* arguments) = nullptr;
     std::string_view meaning{};  ///< One line for documentation.
 };
 
 [[nodiscard]] const std::array<Operation, operation_count>& operations();
 [[nodiscard]] const Operation& operation(Op op);
+
+/// Where the values of an operation lie if its arguments lie there. They may be NaN.
+[[nodiscard]] Range range_of(Op op, const Range* arguments);
+/// Where the square of a value lies, which is more than what its product by itself tells.
+[[nodiscard]] Range range_of_square(const Range& argument);
+/// Which argument the value of an operation always is, to the last bit; none if that is open.
+[[nodiscard]] std::optional<std::size_t> chosen_argument(Op op, const Range* arguments);
 
 }  // namespace balcony::expr

@@ -7,8 +7,8 @@
 // A Program is immutable and may be shared by threads; a Scratch belongs to one thread; the caller
 // owns the results. Compiled for grids, it runs over tiles, and each node has a rate, which follows
 // from the rates of its inputs: uniform nodes run once per tile, others once per
-// column, row or point. Compiled for points, it runs over lists of arbitrary
-// points, and all nodes that are not uniform run once per point.
+// column, row or point. Branches that no point of a tile takes are left out. Compiled for points,
+// it runs over lists of arbitrary points, and all nodes that are not uniform run once per point.
 //
 // Inputs are x, y and time, which a Tile and Points always have, and any number of further ones,
 // which an Interface declares.
@@ -91,16 +91,21 @@ struct Input {
 struct Interface {
     Sampling sampling = Sampling::grid;
     std::vector<Input> inputs{};  ///< Beside x, y and t. Those that no root depends on are ignored.
+    /// Whether the roots are simplified first, which takes longer than the rest of compiling, and
+    /// branches are left out over tiles: of use unless the program runs at few points. Values
+    /// change by rounding only.
+    bool is_simplified = true;
 };
 
 struct Tape;  // src/program/tape.hpp
 
 class Program {
 public:
-    /// Compiles the roots, which must be in one graph; they are simplified first. Fails if a root
-    /// depends on an input that is not declared or on a free variable, if an input is declared
-    /// twice or has the name x, y or t, and if simplification makes the graph too large. A stop of
-    /// the graph is an error of Kind::interrupted.
+    /// Compiles the roots, which must be in one graph; they are simplified first unless the
+    /// interface says otherwise. Fails if a root depends on an input that is not declared or on a
+    /// free variable, if an input is declared twice or has the name x, y or t, and if
+    /// simplification makes the graph too large. A stop of the graph is an error of
+    /// Kind::interrupted.
     [[nodiscard]] static Result<Program> make(std::span<const expr::Expr> roots,
                                               const Interface& interface = {});
     /// The same for roots that depend on x, y and t alone; throws expr::GraphTooLarge.
@@ -112,7 +117,7 @@ public:
     [[nodiscard]] std::size_t root_count() const;
     /// Uniform or pixel in a program for points.
     [[nodiscard]] Rate rate(std::size_t root) const;
-    /// The number of instructions of a rate, which determines the cost.
+    /// The number of instructions of a rate, which determines the cost. A tile may need fewer.
     [[nodiscard]] std::size_t instruction_count(Rate rate) const;
     [[nodiscard]] const Tape& tape() const { return *tape_; }
 

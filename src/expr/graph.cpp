@@ -179,6 +179,14 @@ std::shared_ptr<const Table> Graph::derivative_table(const std::shared_ptr<const
 }
 
 Expr Graph::remake(const Graph& source, const Node& node, std::span<const Expr> arguments) {
+    if (node.op == Op::result) {
+        return result_of(arguments[0].id(), node.detail);
+    }
+    return operation(node.op).scalar != nullptr ? apply(node.op, arguments)
+                                                : copy(source, node, arguments);
+}
+
+Expr Graph::copy(const Graph& source, const Node& node, std::span<const Expr> arguments) {
     switch (node.op) {
         case Op::constant: return constant(node.value);
         case Op::input: return input(source.inputs_[node.detail]);
@@ -187,9 +195,12 @@ Expr Graph::remake(const Graph& source, const Node& node, std::span<const Expr> 
             const Call& call = source.calls_[node.detail];
             return call_node({call.table, call.native, {}}, arguments);
         }
-        case Op::result: return result_of(arguments[0].id(), node.detail);
-        default: return apply(node.op, arguments);
+        default: break;
     }
+    Node made = node;
+    std::transform(arguments.begin(), arguments.end(), made.operands.begin(),
+                   [](Expr argument) { return argument.id(); });
+    return intern(made);
 }
 
 Expr Graph::apply(Op op, std::span<const Expr> arguments) {

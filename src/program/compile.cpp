@@ -87,7 +87,7 @@ public:
         tape_->interface = interface;
     }
 
-    std::shared_ptr<const Tape> run() {
+    std::shared_ptr<Tape> run() {
         for (const auto phase :
              {&Compiler::find_results, &Compiler::find_last_uses, &Compiler::assign_registers,
               &Compiler::place_registers, &Compiler::emit}) {
@@ -397,9 +397,9 @@ expr::Rates rates_of(const Graph& graph, const Interface& interface) {
     return rates;
 }
 
-std::shared_ptr<const Tape> compile(std::span<const Expr> roots, const Interface& interface) {
+std::shared_ptr<Tape> compile(std::span<const Expr> roots, const Interface& interface) {
     if (roots.empty()) {
-        const auto tape = std::make_shared<Tape>();
+        auto tape = std::make_shared<Tape>();
         tape->interface = interface;
         return tape;
     }

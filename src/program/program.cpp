@@ -66,10 +66,17 @@ std::span<const Expr> of_x_y_and_time(std::span<const Expr> roots) {
 
 std::shared_ptr<const Tape> simplified_tape(std::span<const Expr> roots,
                                             const Interface& interface) {
-    if (roots.empty()) {
+    if (roots.empty() || !interface.is_simplified) {
         return compile(roots, interface);
     }
-    return compile(expr::simplify(roots, rates_of(roots.front().graph(), interface)), interface);
+    const std::vector<Expr> simplified =
+        expr::simplify(roots, rates_of(roots.front().graph(), interface));
+    const std::shared_ptr<Tape> tape = compile(simplified, interface);
+    if (interface.sampling == Sampling::grid) {
+        tape->shortening =
+            Shortening::make(simplified, interface, tape->section(Rate::pixel).size());
+    }
+    return tape;
 }
 
 }  // namespace

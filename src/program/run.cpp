@@ -233,9 +233,12 @@ void run_on(std::size_t set, const Program& program, const Tile& tile, Scratch& 
     assert(set < runners().kernels.size());
     assert(tile.width <= max_tile_width && tile.height <= max_tile_height);
     if (!results.empty() && tile.width > 0 && tile.height > 0) {
+        const auto& shortening = program.tape().shortening;
+        const std::shared_ptr<const Tape> shorter =
+            shortening ? shortening->tape_for(tile) : nullptr;
         CallPointers pointers;
-        TapeRun(program.tape(), runners().kernels[set], scratch, tile.inputs, results,
-                pointers)(tile);
+        TapeRun(shorter ? *shorter : program.tape(), runners().kernels[set], scratch, tile.inputs,
+                results, pointers)(tile);
     }
 }
 

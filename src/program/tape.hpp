@@ -9,6 +9,7 @@
 
 #include "balcony/program.hpp"
 #include "program/kernel.hpp"
+#include "program/shortening.hpp"
 
 namespace balcony::program {
 
@@ -61,6 +62,8 @@ struct Tape {
     std::deque<TableView> table_views;    ///< One for each table; instructions point to them.
     std::deque<NativeCall> native_calls;  ///< One for each call; instructions point to them.
 
+    std::shared_ptr<const Shortening> shortening;  ///< Null if no tile has a shorter tape.
+
     [[nodiscard]] const std::vector<Instruction>& section(Rate rate) const {
         return sections[static_cast<std::size_t>(rate)];
     }
@@ -68,8 +71,8 @@ struct Tape {
 
 /// Compiles roots without simplifying them. They have no free variable, and the
 /// interface declares every input that they depend on.
-[[nodiscard]] std::shared_ptr<const Tape> compile(std::span<const expr::Expr> roots,
-                                                  const Interface& interface);
+[[nodiscard]] std::shared_ptr<Tape> compile(std::span<const expr::Expr> roots,
+                                            const Interface& interface);
 
 /// Whether a program can run over it: for what it is compiled, with which inputs.
 [[nodiscard]] bool fits(const Program& program, const Tile& tile);

@@ -4,11 +4,14 @@
 // What holds for every built-in camera.
 
 #include <algorithm>
+#include <bit>
 #include <cctype>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <numeric>
 #include <set>
 
 #include <fmt/format.h>
@@ -40,6 +43,18 @@ lang::Description description_of(const std::string& name) {
                                   [&](const lang::Description& one) { return one.name == name; });
     EXPECT_NE(own, described->end()) << name << ".cam has no camera of its name";
     return own != described->end() ? *own : lang::Description();
+}
+
+// Of a ray and its derivatives; nothing where there is none.
+std::vector<std::uint64_t> bits(const rays::Ray& ray) {
+    std::vector<std::uint64_t> found;
+    for (const V3d& vector : {ray.origin, ray.direction, ray.origin_by_x, ray.origin_by_y,
+                              ray.direction_by_x, ray.direction_by_y}) {
+        for (int axis = 0; ray.valid && axis < 3; ++axis) {
+            found.push_back(std::bit_cast<std::uint64_t>(vector[axis]));
+        }
+    }
+    return found;
 }
 
 // A long hall beside the origin.
@@ -103,6 +118,33 @@ TEST_P(BuiltIn, FitsAScene) {
     }
     // The thinnest map, which is infinite, covers 0.317 of its picture.
     EXPECT_GE(valid, 3 * width * side / 10);
+}
+
+// Over tiles, programs leave out the branches that no point takes; at single points, they do not.
+TEST_P(BuiltIn, HasTheSameRaysInTilesAsAtPoints) {
+    const Result<camera::Picture> made = lang::make_picture(file_name(GetParam()), "");
+    ASSERT_TRUE(made);
+    constexpr std::size_t side = 160;
+    const auto width = static_cast<std::size_t>(std::lround(side * made->aspect()));
+    const Result<rays::CompiledPicture> picture =
+        rays::compile(*made, static_cast<double>(width), side,
+                      {.footprints = true, .points = true, .bends = true});
+    ASSERT_TRUE(picture);
+    rays::Scratch scratch;
+    rays::RayBatch tile;
+    rays::RayBatch points;
+    std::vector<double> x(width);
+    std::iota(x.begin(), x.end(), 0.5);
+    for (const auto& layer : picture->layers()) {
+        layer.rays.run({.width = width, .height = side}, scratch, tile);
+        for (std::size_t row = 0; row < side; ++row) {
+            const std::vector<double> y(width, 0.5 + static_cast<double>(row));
+            layer.rays.run(rays::Points{x, y, 0.0}, scratch, points);
+            for (std::size_t i = 0; i < width; ++i) {
+                ASSERT_EQ(bits(tile[row * width + i]), bits(points[i])) << x[i] << ", " << y[i];
+            }
+        }
+    }
 }
 
 TEST_P(BuiltIn, IsMadeAtTheLimitsOfItsParametersAndNotBeyond) {

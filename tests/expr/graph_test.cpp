@@ -198,6 +198,16 @@ TEST(Graph, JoinsConstantsOnEitherSide) {
     EXPECT_TRUE(((two * x) * 3.0).same(6.0 * x));
 }
 
+// The arguments of a product stand in the order in which they were made.
+TEST(Graph, JoinsFactorsWhicheverWasThereFirst) {
+    Graph graph;
+    const Expr constant = graph.constant(3.0);
+    const Expr x = graph.picture_x();
+    const Expr later = graph.constant(5.0);
+    EXPECT_TRUE((2.0 * (constant * x)).same(6.0 * x));
+    EXPECT_TRUE((2.0 * (x * later)).same(10.0 * x));
+}
+
 TEST(Graph, EqualFormulasAreOneNode) {
     std::mt19937_64 random(5);
     Graph graph;

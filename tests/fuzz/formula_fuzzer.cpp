@@ -43,7 +43,7 @@ private:
 class Grid {
 public:
     explicit Grid(const expr::Choice& below)
-        : lens_(number(below)), shutter_(width * (1 + below(3))) {
+        : lens_(number(below)), shutter_(width * (6 + below(3))) {
         std::generate(shutter_.begin(), shutter_.end(), [&] { return number(below); });
         tile_ = {number(below), number(below),           number(below),
                  width,         shutter_.size() / width, number(below)};
@@ -70,13 +70,25 @@ public:
             tile.inputs = inputs_;
             program::run_on(set, made, tile, scratch, results.pointers());
         } else {
-            program::run_on(set, made, {x_, y_, tile_.time, inputs_}, scratch, results.pointers());
+            run_points(set, made, scratch, results.pointers().front());
         }
         return results;
     }
 
 private:
-    // More than a register of any instruction set, and no multiple of one.
+    void run_points(std::size_t set, const Program& made, program::Scratch& scratch,
+                    double* values) const {
+        for (std::size_t begin = 0; begin < size(); begin += program::max_points) {
+            const std::size_t count = std::min(program::max_points, size() - begin);
+            const auto part = [&](std::span<const double> all) { return all.subspan(begin, count); };
+            const std::array inputs{inputs_[0], part(inputs_[1])};
+            const std::array places{values + begin};
+            program::run_on(set, made, {part(x_), part(y_), tile_.time, inputs}, scratch, places);
+        }
+    }
+
+    // More than a register of any instruction set, and no multiple of one; with its rows, enough
+    // points for a program to be shortened.
     static constexpr std::size_t width = 11;
 
     static double number(const expr::Choice& below) {

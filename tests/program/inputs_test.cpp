@@ -93,12 +93,13 @@ namespace {
 struct LargePicture {
     static constexpr std::size_t width = 2 * max_tile_width + 5;
     static constexpr std::size_t height = 2 * max_tile_height + 3;
+    static constexpr double step = 0.25;
 
     LargePicture() {
         for (std::size_t i = 0; i < width * height; ++i) {
             points.push_back(std::sin(static_cast<double>(i)));
-            x.push_back(0.5 + static_cast<double>(i % width));
-            y.push_back(0.5 + static_cast<double>(i / width));
+            x.push_back(0.5 + step * static_cast<double>(i % width));
+            y.push_back(0.5 + step * static_cast<double>(i / width));
         }
     }
 
@@ -133,8 +134,11 @@ TEST(Inputs, ReachAllPartsOfALargeTile) {
     const std::span<const double> all(picture.points);
     const std::array<std::span<const double>, 4> values{all.first(picture.width), all.first(1), all,
                                                         all.first(picture.height)};
-    const Tile tile{
-        .width = picture.width, .height = picture.height, .time = 2.0, .inputs = values};
+    const Tile tile{.step = picture.step,
+                    .width = picture.width,
+                    .height = picture.height,
+                    .time = 2.0,
+                    .inputs = values};
     const Results results(program, tile);
     Scratch scratch;
     run(program, tile, scratch, results.pointers());

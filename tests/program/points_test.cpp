@@ -134,4 +134,31 @@ TEST(PointPrograms, NodesThatDependOnThePointRunOncePerPoint) {
     EXPECT_EQ(program.instruction_count(Rate::pixel), 3U);
 }
 
+TEST(PointPrograms, WithoutSimplificationTheyComputeTheSameByMoreInstructions) {
+    Graph graph;
+    const Expr x = graph.picture_x();
+    const Expr y = graph.picture_y();
+    const std::vector<Expr> roots{2.0 * x + (y + 3.0 * x) - y, (x * y) / y * cos(x)};
+    const auto made = [&](bool is_simplified) {
+        return *Program::make(roots, {Sampling::points, {}, is_simplified});
+    };
+    const Program plain = made(false);
+    const Program simplified = made(true);
+    EXPECT_GT(plain.instruction_count(Rate::pixel), simplified.instruction_count(Rate::pixel));
+    const std::array xs{0.5, 7.25, -3.0};
+    const std::array ys{2.0, -0.125, 11.0};
+    const Points points{xs, ys, 0.0, {}};
+    Scratch scratch;
+    ResultArrays one;
+    ResultArrays other;
+    run(plain, points, scratch, one.reserve(roots.size(), xs.size()));
+    run(simplified, points, scratch, other.reserve(roots.size(), xs.size()));
+    for (std::size_t root = 0; root < roots.size(); ++root) {
+        for (std::size_t i = 0; i < xs.size(); ++i) {
+            // Eight roundings of at most half a unit in the last place of numbers up to 50.
+            EXPECT_NEAR(one[root][i], other[root][i], 8 * 0.5 * 0x1p-47) << root << ' ' << i;
+        }
+    }
+}
+
 }  // namespace balcony::program::points_test
