@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # Finds TurboJPEG, whose CMake package in Debian is that of libjpeg and names files of other packages.
-# Defines TurboJPEG_FOUND and the target TurboJPEG::TurboJPEG.
+# Defines TurboJPEG_FOUND and the target TurboJPEG::TurboJPEG. Installed beside balcony's own package file,
+# which needs it too.
 find_path(TurboJPEG_INCLUDE_DIR NAMES turbojpeg.h)
 find_library(TurboJPEG_LIBRARY NAMES turbojpeg)
 mark_as_advanced(TurboJPEG_INCLUDE_DIR TurboJPEG_LIBRARY)

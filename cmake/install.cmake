@@ -31,6 +31,7 @@ install(FILES
     "${CMAKE_CURRENT_LIST_DIR}/library_dependencies.cmake"
     "${CMAKE_CURRENT_LIST_DIR}/FindOpenImageIO.cmake"
     "${CMAKE_CURRENT_LIST_DIR}/FindSLEEF.cmake"
+    "${CMAKE_CURRENT_LIST_DIR}/FindTurboJPEG.cmake"
     DESTINATION "${package_folder}")
 
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" "${PROJECT_SOURCE_DIR}/NOTICE"

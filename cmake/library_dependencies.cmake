@@ -9,6 +9,7 @@ set(BALCONY_LIBRARY_DEPENDENCIES
     "OpenImageIO 2.4"     # OpenImageIO::OpenImageIO
     "TBB"                 # TBB::tbb
     "PNG 1.6"             # PNG::PNG
+    "TurboJPEG"           # TurboJPEG::TurboJPEG
     "embree ${BALCONY_EMBREE_VERSION}"  # embree
     "hwy 1.0"             # hwy::hwy
     "SLEEF 3.5"           # SLEEF::sleef

@@ -5,9 +5,9 @@
 // Images: reading, encoding and filtering images, the only reader of images from outside, whether
 // they are textures or masks, on the disk or embedded.
 //
-// OpenImageIO does the work, except that libpng writes PNG files. A program that links Balcony
-// links it too; the command loads it with the first image that needs it, since loading it takes
-// longer than most commands take.
+// libpng reads and writes PNG files, libjpeg-turbo JPEG files, and OpenImageIO does the rest. A
+// program that links Balcony links them too; the command loads OpenImageIO with the first image
+// that needs it, since loading it takes longer than most commands take.
 
 #include <array>
 #include <cstddef>
@@ -32,17 +32,22 @@ namespace balcony::images {
 inline constexpr std::size_t max_image_pixels = 100'000'000;
 inline constexpr std::size_t max_image_values = 4 * max_image_pixels;  ///< Pixels times channels.
 inline constexpr std::size_t max_tile_row_pixels = 16'777'216;         ///< Of a tiled image.
+/// Of a PNG or JPEG file, which is in memory while it is open: more than all values take in 16
+/// bits.
+inline constexpr std::size_t max_encoded_bytes = std::size_t{1} << 30U;
 
 /// Which channels of a file are read: colour and alpha, or all that it has.
 enum class ImageChannels : std::uint8_t { first_four, all };
 
 /// An image that is open for reading, row by row from the top. Reading rows in their order decodes
-/// each once; going back begins again at the top where the format knows no other way.
+/// each once; going back begins again at the top where the format knows no other way. A JPEG, and a
+/// PNG whose rows are interlaced, are decoded as a whole with their first rows.
 ///
 /// Only PNG, JPEG, WebP, TIFF, OpenEXR, Radiance HDR, TGA and BMP are supported. The first bytes
 /// determine the format (TGA has no signature, so it needs its extension and a plausible header),
 /// and only that format's reader opens the file. The sizes in a header are checked against the
-/// limits above and against the size of the file before any memory is allocated for pixels.
+/// limits above and against the size of the file before any memory is allocated for pixels. A PNG
+/// or JPEG that ends too early is refused when it is opened.
 class ImageFile {
 public:
     /// Opens a file. The message of an error is a reason that completes a sentence about the image:
@@ -104,7 +109,8 @@ struct Raster {
 };
 
 /// The bytes of a file. The format is "png", "jpeg", "webp" or "tiff"; JPEG has no alpha, and JPEG
-/// and WebP have 8 bits. Another format and another number of samples are errors of Kind::internal.
+/// and WebP have 8 bits. Another format, and samples that it does not have, are errors of
+/// Kind::internal.
 [[nodiscard]] Result<std::vector<std::uint8_t>> encode(const Raster& raster,
                                                        std::string_view format);
 
@@ -140,8 +146,11 @@ public:
 
 /// Loads OpenImageIO at once. If it is missing, that is an error of Kind::environment.
 [[nodiscard]] Diagnostics require();
-/// The same if encode() needs it for a format, as for all but "png", so that a caller that writes
-/// an image after long work learns before it that it is missing.
+/// The same if encode() needs it for a format, as for all but "png" and "jpeg", so that a caller
+/// that writes an image after long work learns before it that it is missing.
 [[nodiscard]] Diagnostics require_encoder(std::string_view format);
+/// The same if ImageFile::open() needs it for an image, by its file or by its bytes.
+[[nodiscard]] Diagnostics require_reader(const std::filesystem::path& file);
+[[nodiscard]] Diagnostics require_reader(std::span<const std::uint8_t> bytes);
 
 }  // namespace balcony::images

@@ -1,7 +1,7 @@
 # Balcony: rendering through extended cameras.
 # SPDX-License-Identifier: Apache-2.0
-"""What the command loads: OpenImageIO with the first image that is neither a PNG nor an EXR file
-to be written, and not before."""
+"""What the command loads: OpenImageIO with the first image that is no PNG or JPEG file, or EXR file to
+be written, and not before."""
 
 import os
 import shutil
@@ -14,7 +14,7 @@ MASKED = """// Shows what the mask shows.
 picture masked {
     layer panorama {
         fill
-        clip image("mask.png")
+        clip image("mask.tif")
     }
 }
 """
@@ -40,6 +40,11 @@ class Start(support.CommandTest):
         return err
 
     def test_commands_without_other_images_do_not_load_it(self):
+        self.run_command("render", "scene.obj", "-W", "8", "-s", "1", "-o", "paint.png")
+        self.run_command("render", "scene.obj", "-W", "8", "-s", "1", "-o", "mask.jpg")
+        (self.folder / "masked.cam").write_text(MASKED.replace("mask.tif", "mask.jpg"))
+        (self.folder / "painted.obj").write_text(PAINTED)
+        (self.folder / "paint.mtl").write_text("newmtl paint\nmap_Kd paint.png\n")
         for words in (("--version",), ("render", "--help"), ("list", "cameras"),
                       ("complete", "render", "scene.obj", "--camera", "p"),
                       ("fmt", "my.cam"), ("check", "my.cam:above"), ("explain", "panorama"),
@@ -47,13 +52,16 @@ class Start(support.CommandTest):
                       ("locate", "panorama", "--point", "1,2,3"), ("draw", "panorama", "-o", "rays.svg"),
                       ("rays", "panorama", "-W", "8", "-o", "rays.npy"),
                       ("render", "scene.obj", "-W", "8", "-s", "1", "-o", "picture.exr"),
-                      ("render", "scene.obj", "-W", "8", "-s", "1", "-o", "picture.png")):
+                      ("render", "scene.obj", "-W", "8", "-s", "1", "-o", "picture.png"),
+                      ("render", "scene.obj", "-W", "8", "-s", "1", "-o", "picture.jpg"),
+                      ("render", "painted.obj", "-W", "8", "-s", "1", "-o", "painted.png"),
+                      ("check", "masked.cam")):
             with self.subTest(words):
                 self.assertNotIn("libOpenImageIO", self.libraries(*words))
 
     def test_images_load_it(self):
-        for words in (("render", "scene.obj", "-W", "8", "-s", "1", "-o", "picture.jpg"),
-                      ("warp", "picture.jpg", "--from", "pinhole", "-c", "pinhole", "-W", "8",
+        for words in (("render", "scene.obj", "-W", "8", "-s", "1", "-o", "picture.webp"),
+                      ("warp", "picture.webp", "--from", "pinhole", "-c", "pinhole", "-W", "8",
                        "-o", "warped.png")):
             with self.subTest(words):
                 self.assertIn("libOpenImageIO", self.libraries(*words))
@@ -68,8 +76,9 @@ class Installation(support.CommandTest):
         self.balcony.parent.mkdir()
         (self.folder / "masked.cam").write_text(MASKED)
         (self.folder / "painted.obj").write_text(PAINTED)
-        (self.folder / "paint.mtl").write_text("newmtl paint\nmap_Kd paint.png\n")
-        (self.folder / "paint.png").write_bytes(b"an image")
+        (self.folder / "paint.mtl").write_text("newmtl paint\nmap_Kd paint.tif\n")
+        for name in ("paint.tif", "mask.tif"):
+            (self.folder / name).write_bytes(b"an image")
 
     def run_copy(self, *words):
         run = subprocess.run([self.balcony, *words], cwd=self.folder, stdin=subprocess.DEVNULL,
@@ -77,14 +86,14 @@ class Installation(support.CommandTest):
         return run.returncode, run.stderr
 
     def assert_incomplete(self, *reasons):
-        for words in (("render", "scene.obj", "-o", "picture.jpg"), ("check", "masked.cam"),
+        for words in (("render", "scene.obj", "-o", "picture.webp"), ("check", "masked.cam"),
                       ("render", "painted.obj", "-W", "8", "-o", "painted.exr"),
-                      ("warp", "paint.png", "--from", "pinhole", "-c", "pinhole", "-o", "w.exr")):
+                      ("warp", "paint.tif", "--from", "pinhole", "-c", "pinhole", "-o", "w.exr")):
             code, said = self.run_copy(*words)
             self.assertEqual(code, 3, said)
             for reason in ("the installation is incomplete: ", *reasons):
                 self.assertIn(reason, said)
-        self.assertFalse({"picture.jpg", "painted.exr", "w.exr"} & set(self.files()))
+        self.assertFalse({"picture.webp", "painted.exr", "w.exr"} & set(self.files()))
         self.assertEqual(self.run_copy("list", "cameras"), (0, ""))
         self.assertEqual(self.run_copy("render", "scene.obj", "-W", "8", "-s", "1", "-q",
                                        "-o", "picture.png"), (0, ""))
@@ -104,7 +113,7 @@ class Installation(support.CommandTest):
     def test_a_link_to_the_executable(self):
         self.balcony.symlink_to(support.BALCONY)
         self.assertEqual(self.run_copy("render", "scene.obj", "-W", "8", "-s", "1", "-q",
-                                       "-o", "picture.jpg"), (0, ""))
+                                       "-o", "picture.webp"), (0, ""))
 
 
 if __name__ == "__main__":

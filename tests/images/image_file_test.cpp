@@ -12,36 +12,24 @@
 #include <fstream>
 #include <iterator>
 #include <random>
+#include <string_view>
 
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include "../files/temporary_folder.hpp"
+
 namespace balcony::images::testing::image_file_test {
 
 namespace {
 
-// Each test has a folder of its own.
 class Images : public ::testing::Test {
 protected:
-    Images() {
-        const auto* const test = ::testing::UnitTest::GetInstance()->current_test_info();
-        directory = std::filesystem::path(::testing::TempDir()) /
-                    (std::string("balcony_images_") + test->name());
-        std::filesystem::remove_all(directory);
-        std::filesystem::create_directories(directory);
-    }
-    ~Images() override {
-        std::error_code ignored;
-        std::filesystem::remove_all(directory, ignored);
-    }
-
     [[nodiscard]] std::filesystem::path write(const std::string& name,
                                               const std::string& bytes) const {
-        const std::filesystem::path file = directory / name;
-        std::ofstream(file, std::ios::binary) << bytes;
-        return file;
+        return folder.write(name, bytes);
     }
 
     static constexpr int width = 37;
@@ -54,7 +42,7 @@ protected:
             values.insert(values.end(), {static_cast<float>(i % 256) / 255.0F,
                                          static_cast<float>(i / 256) / 255.0F, 0.5F});
         }
-        const std::filesystem::path file = directory / name;
+        const std::filesystem::path file = folder / name;
         const auto output = OIIO::ImageOutput::create(file.string());
         OIIO::ImageSpec spec(width, height, 3, OIIO::TypeDesc::UINT8);
         spec.tile_width = tile_side;
@@ -70,7 +58,7 @@ protected:
         return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
     }
 
-    std::filesystem::path directory;
+    const files::TemporaryFolder folder;
 };
 
 constexpr const char* endings[] = {"png", "jpg", "webp", "tif", "exr", "hdr", "tga", "bmp"};
@@ -232,7 +220,7 @@ TEST_F(Images, AnOrientationIsWhereTheFirstRowAndColumnAreSeen) {
         stored.insert(stored.end(), {static_cast<std::uint8_t>(letter), 1, 2});
     }
     for (int orientation = 0; orientation <= 9; ++orientation) {
-        const std::filesystem::path file = directory / "turned.tif";
+        const std::filesystem::path file = folder / "turned.tif";
         const auto output = OIIO::ImageOutput::create(file.string());
         OIIO::ImageSpec spec(3, 2, channels, OIIO::TypeDesc::UINT8);
         spec.attribute("Orientation", orientation);
@@ -279,8 +267,8 @@ TEST_F(Images, NoOtherFormatIsOpened) {
         EXPECT_EQ(reason(name, bytes), unknown) << name;
         EXPECT_EQ(reason(ImageFile::open(write(name, bytes))), unknown) << name;
     }
-    EXPECT_EQ(reason(ImageFile::open(directory)),
-              "'" + directory.string() + "' is a folder, not a file");
+    EXPECT_EQ(reason(ImageFile::open(folder.path())),
+              "'" + folder.path().string() + "' is a folder, not a file");
 }
 
 TEST_F(Images, TooLargeAHeaderIsRefused) {
@@ -357,16 +345,30 @@ TEST_F(Images, AnAttributeLongerThanItsExrFileIsRefused) {
 }
 
 TEST_F(Images, ACutOrDamagedPngIsRecognised) {
-    const std::vector<std::uint8_t> whole = bytes_of(image("image.png"));
-    const std::string damaged = "it is truncated or corrupt";
+    const std::vector<std::uint8_t> samples(std::size_t{width} * height * 3, 77);
+    const auto whole = encode({width, height, 3, std::span<const std::uint8_t>(samples)}, "png");
+    ASSERT_TRUE(whole);
     constexpr std::size_t header_end = 33;
-    for (std::size_t size = header_end; size < whole.size(); ++size) {
-        EXPECT_EQ(reason(ImageFile::open("cut.png", std::span(whole).first(size))), damaged);
-        std::vector<std::uint8_t> changed = whole;
+    constexpr std::string_view name = "IDAT";
+    constexpr std::size_t length_size = 4;
+    // Damage to what says how colours are meant, before the pixels, and to the checksum of the last
+    // chunk, which is empty, does not matter.
+    constexpr std::size_t checksum_size = 4;
+    const auto pixels_at = static_cast<std::size_t>(
+        std::search(whole->begin(), whole->end(), name.begin(), name.end()) - whole->begin());
+    for (std::size_t size = header_end; size < whole->size(); ++size) {
+        EXPECT_EQ(reason(ImageFile::open("cut.png", std::span(*whole).first(size))),
+                  "it is truncated or corrupt");
+        std::vector<std::uint8_t> changed = *whole;
         changed[size] ^= 4U;
-        EXPECT_EQ(reason(ImageFile::open("changed.png", changed)), damaged) << size;
+        const auto opened = ImageFile::open("changed.png", changed);
+        std::vector<std::uint8_t> rows(samples.size());
+        const bool is_refused = !opened || (*opened)->read_rows(0, height, rows);
+        EXPECT_TRUE(is_refused || size + length_size < pixels_at ||
+                    size + checksum_size >= whole->size())
+            << size;
     }
-    EXPECT_EQ(reason(ImageFile::open("whole.png", whole)), "opened");
+    EXPECT_EQ(reason(ImageFile::open("whole.png", *whole)), "opened");
 }
 
 TEST_F(Images, ACutTiffIsRecognised) {
@@ -426,6 +428,7 @@ TEST_F(Images, ChangedBytesDoNoHarm) {
     for (const std::string ending : endings) {
         const std::vector<std::uint8_t> whole = bytes_of(image("image." + ending));
         std::size_t opened_count = 0;
+        std::size_t read_count = 0;
         for (int i = 0; i < 200; ++i) {
             std::vector<std::uint8_t> bytes = whole;
             // Half of the changes go to the header.
@@ -442,11 +445,11 @@ TEST_F(Images, ChangedBytesDoNoHarm) {
             ++opened_count;
             const std::size_t rows = std::min<std::size_t>((*opened)->height(), 64);
             std::vector<float> values(rows * (*opened)->width() * (*opened)->channels());
-            (void)(*opened)->read_rows(0, rows, values);
+            read_count += (*opened)->read_rows(0, rows, values) ? 0 : 1;
         }
-        // The checksums of PNG find every change.
-        EXPECT_TRUE(ending == "png" ? opened_count == 0 : opened_count > 20)
-            << ending << " was opened " << opened_count << " times";
+        EXPECT_GT(opened_count, 20U) << ending;
+        // The checksums of PNG find every change, except of what says how colours are meant.
+        EXPECT_TRUE(ending != "png" || read_count < 20) << read_count;
     }
 }
 

@@ -1,8 +1,6 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-#include <cmath>
-
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
@@ -10,25 +8,6 @@
 #include "images/openimageio/library.hpp"
 
 namespace balcony::images {
-
-namespace {
-
-void set_resolution(OIIO::ImageSpec& spec, double dpi, std::string_view format) {
-    const double per_centimeter = dpi / 2.54;
-    const auto error = [](double value) { return std::abs(std::round(value) / value - 1.0); };
-    double value = dpi;
-    bool metric = false;
-    if (format == "jpeg") {
-        // It has whole numbers, of which those per centimetre may be nearer.
-        metric = error(per_centimeter) < error(dpi);
-        value = std::round(metric ? per_centimeter : dpi);
-    }
-    spec.attribute("ResolutionUnit", metric ? "cm" : "in");
-    spec.attribute("XResolution", static_cast<float>(value));
-    spec.attribute("YResolution", static_cast<float>(value));
-}
-
-}  // namespace
 
 Result<std::vector<std::uint8_t>> OpenImageIo::encode(const Raster& raster,
                                                       std::string_view format) const {
@@ -43,13 +22,11 @@ Result<std::vector<std::uint8_t>> OpenImageIo::encode(const Raster& raster,
     spec.attribute("oiio:ColorSpace", "sRGB");
     spec.attribute("oiio:UnassociatedAlpha", 1);
     if (raster.dpi > 0.0) {
-        set_resolution(spec, raster.dpi, format);
+        spec.attribute("ResolutionUnit", "in");
+        spec.attribute("XResolution", static_cast<float>(raster.dpi));
+        spec.attribute("YResolution", static_cast<float>(raster.dpi));
     }
-    // Quality at which sharp lines have no visible fringes; without subsampling of colours.
-    if (format == "jpeg") {
-        spec.attribute("Compression", "jpeg:92");
-        spec.attribute("jpeg:subsampling", "4:4:4");
-    } else if (format == "webp") {
+    if (format == "webp") {
         spec.attribute("Compression", "webp:92");
     } else if (format == "tiff") {
         spec.attribute("Compression", "zip");

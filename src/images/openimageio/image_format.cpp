@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstdlib>
 #include <string_view>
 
 #include "balcony/input_file.hpp"
+#include "images/byte_numbers.hpp"
 
 namespace balcony::images {
 
@@ -24,34 +26,11 @@ std::string bytes_at(IOProxy& file, std::size_t offset, std::size_t count) {
     return bytes;
 }
 
-bool has(std::string_view bytes, std::size_t offset, std::string_view text) {
-    return offset <= bytes.size() && bytes.substr(offset).starts_with(text);
-}
-
-// An unsigned number of `count` bytes; 0 past the end.
-std::size_t big_endian(std::string_view bytes, std::size_t offset, std::size_t count) {
-    std::size_t number = 0;
-    for (std::size_t i = 0; i < count && offset + count <= bytes.size(); ++i) {
-        number = number << 8U | static_cast<unsigned char>(bytes[offset + i]);
-    }
-    return number;
-}
-
-std::size_t little_endian(std::string_view bytes, std::size_t offset, std::size_t count) {
-    std::size_t number = 0;
-    for (std::size_t i = count; i > 0 && offset + count <= bytes.size(); --i) {
-        number = number << 8U | static_cast<unsigned char>(bytes[offset + i - 1]);
-    }
-    return number;
-}
-
 template <const auto&... signatures>
 bool begins_with(const std::string& start, const std::string&) {
     return (start.starts_with(std::string_view(signatures.data(), signatures.size())) || ...);
 }
 
-constexpr std::array png_signature{'\x89', 'P', 'N', 'G', '\r', '\n', '\x1a', '\n'};
-constexpr std::array jpeg_signature{'\xff', '\xd8', '\xff'};
 constexpr std::array tiff_little{'I', 'I', '*', '\0'};
 constexpr std::array tiff_big{'M', 'M', '\0', '*'};
 constexpr std::array big_tiff_little{'I', 'I', '+', '\0'};
@@ -76,59 +55,6 @@ bool is_tga(const std::string& start, const std::string& ending) {
     const bool is_kind = (kind & ~std::size_t{8}) >= 1 && (kind & ~std::size_t{8}) <= 3;
     return little_endian(start, 1, 1) <= 1 && is_kind && mapped == ((kind & 7U) == 1) &&
            (depth == 8 || depth == 15 || depth == 16 || depth == 24 || depth == 32);
-}
-
-Size png_size(IOProxy& file) {
-    const std::string header = bytes_at(file, 0, 24);
-    return has(header, 12, "IHDR") ? Size({big_endian(header, 16, 4), big_endian(header, 20, 4)})
-                                   : std::nullopt;
-}
-
-// PNG specification, annex D: the checksum of a chunk's kind and data.
-constexpr std::array<std::uint32_t, 256> checksum_table = [] {
-    std::array<std::uint32_t, 256> table{};
-    for (std::uint32_t byte = 0; byte < table.size(); ++byte) {
-        std::uint32_t value = byte;
-        for (int bit = 0; bit < 8; ++bit) {
-            value = (value & 1U) != 0 ? 0xedb88320U ^ value >> 1U : value >> 1U;
-        }
-        table[byte] = value;
-    }
-    return table;
-}();
-
-std::uint32_t checksum(IOProxy& file, std::size_t begin, std::size_t end) {
-    constexpr std::size_t at_once = 65536;
-    std::uint32_t value = 0xffffffffU;
-    for (std::size_t at = begin; at < end; at += at_once) {
-        for (const char byte : bytes_at(file, at, std::min(at_once, end - at))) {
-            value =
-                checksum_table[(value ^ static_cast<unsigned char>(byte)) & 0xffU] ^ value >> 8U;
-        }
-    }
-    return ~value;
-}
-
-// Visits all chunks up to the last and compares their checksums, because libpng prints what it
-// finds.
-bool png_is_whole(IOProxy& file) {
-    constexpr std::size_t length_size = 4;
-    constexpr std::size_t kind_size = 4;
-    constexpr std::size_t checksum_size = 4;
-    for (std::size_t at = png_signature.size(); at < file.size();) {
-        const std::string head = bytes_at(file, at, length_size + kind_size);
-        const std::size_t begin = at + length_size;
-        const std::size_t end = begin + kind_size + big_endian(head, 0, length_size);
-        at = end + checksum_size;
-        if (at > file.size() ||
-            checksum(file, begin, end) != big_endian(bytes_at(file, end, checksum_size), 0, 4)) {
-            return false;
-        }
-        if (has(head, length_size, "IEND")) {
-            return true;
-        }
-    }
-    return false;
 }
 
 // Visits all attributes of all headers, because OpenEXR allocates what one claims before it reads
@@ -201,25 +127,6 @@ bool tiff_directory_fits(IOProxy& file) {
     return entries > 0;
 }
 
-// Visits all markers up to the start of a frame.
-Size jpeg_size(IOProxy& file) {
-    for (std::size_t at = 2; at + 4 <= file.size();) {
-        const std::string segment = bytes_at(file, at, 9);
-        const std::size_t marker = big_endian(segment, 1, 1);
-        if (segment[0] != '\xff') {
-            return std::nullopt;
-        }
-        const bool is_frame =
-            marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
-        if (is_frame) {
-            return DeclaredSize{big_endian(segment, 7, 2), big_endian(segment, 5, 2)};
-        }
-        // A marker may be preceded by any number of fill bytes.
-        at += marker == 0xff ? 1 : 2 + std::max<std::size_t>(big_endian(segment, 2, 2), 2);
-    }
-    return std::nullopt;
-}
-
 Size webp_size(IOProxy& file) {
     const std::string header = bytes_at(file, 0, 30);
     if (has(header, 12, "VP8X")) {
@@ -250,12 +157,9 @@ Size bmp_size(IOProxy& file) {
                         static_cast<std::size_t>(std::abs(std::int64_t{height}))};
 }
 
-// Deflate packs 1032 bytes into one, each of 8 pixels; a block of 64 pixels of a JPEG takes at
-// least one bit; a packet of a TGA file holds 128 pixels in two bytes. The others know runs without
-// end, or kinds of compression that do.
-constexpr std::array<ImageFormat, 8> formats{{
-    {"png", 1032UL * 8, begins_with<png_signature>, png_size, png_is_whole},
-    {"jpeg", 64UL * 8, begins_with<jpeg_signature>, jpeg_size, nullptr},
+// A packet of a TGA file holds 128 pixels in two bytes. The others know runs without end, or kinds
+// of compression that do.
+constexpr std::array<ImageFormat, 6> formats{{
     {"webp", 0, is_webp, webp_size, nullptr},
     {"tiff", 0, begins_with<tiff_little, tiff_big, big_tiff_little, big_tiff_big>, nullptr,
      tiff_directory_fits},

@@ -9,15 +9,11 @@
 
 #include <OpenImageIO/filesystem.h>
 
+#include "images/image_checks.hpp"
+
 namespace balcony::images {
 
-/// The contents of an image header.
-struct DeclaredSize {
-    std::size_t width = 0;
-    std::size_t height = 0;
-};
-
-/// A supported image format.
+/// An image format that OpenImageIO reads.
 struct ImageFormat {
     const char* reader;               ///< OpenImageIO's name.
     std::size_t max_pixels_per_byte;  ///< The maximum compression of the format; 0 is no limit.

@@ -86,10 +86,13 @@ Result<Renderer> Renderer::make(std::shared_ptr<const scene::Scene> scene,
     if (Diagnostics found = check(times); !found.empty()) {
         return found;
     }
-    // Its absence is no fault of a texture, so that no picture is made without textures.
-    if (Diagnostics found = scene->textures.empty() ? Diagnostics() : images::require();
-        has_errors(found)) {
-        return found;
+    // What is missing to read it is no fault of a texture, so that no picture is made without it.
+    for (const scene::Texture& texture : scene->textures) {
+        if (Diagnostics found = texture.file.empty() ? images::require_reader(*texture.bytes)
+                                                     : images::require_reader(texture.file);
+            has_errors(found)) {
+            return found;
+        }
     }
     const Stopwatch watch;
     const scene::Movement movement = scene::movement(*scene, times);

@@ -22,11 +22,9 @@ public:
 
     /// The nearest code, as seen in the encoding, of a value from 0 to 1.
     [[nodiscard]] std::uint8_t encode(float value) const {
-        std::uint8_t code = starts_[static_cast<std::size_t>(value * steps)];
-        while (value > upper_limits_[code]) {
-            ++code;
-        }
-        return code;
+        const std::uint8_t code = starts_[static_cast<std::size_t>(value * steps)];
+        // A step is shorter than any code, of which those of dark sRGB colours are 1 / 3295.
+        return static_cast<std::uint8_t>(code + (value > upper_limits_[code] ? 1 : 0));
     }
 
 private:

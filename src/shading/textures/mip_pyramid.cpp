@@ -73,33 +73,67 @@ std::vector<Shares> shares_of(std::size_t count) {
     return all;
 }
 
-// Halves an image, whose row y is row(y), and calls add(row) for each row until it returns false.
-template <class Row, class Add>
-void halve(std::size_t width, std::size_t height, const Row& row, const Add& add) {
-    const std::vector<Shares> columns = shares_of(width);
-    std::vector<Float4> made(columns.size());
-    std::vector<Float4> line(width);
-    for (const Shares& rows : shares_of(height)) {
-        std::fill(line.begin(), line.end(), Float4{});
-        for (std::size_t k = 0; k < rows.parts.size(); ++k) {
-            if (rows.parts[k] > 0.0F) {
-                const std::span<const Float4> source = row(rows.first + k);
-                for (std::size_t x = 0; x < line.size(); ++x) {
-                    line[x] += rows.parts[k] * source[x];
+// Halves an image whose rows come one after the other.
+class Halving {
+public:
+    Halving(std::size_t width, std::size_t height)
+        : columns_(shares_of(width)),
+          rows_(shares_of(height)),
+          sum_(width),
+          made_(columns_.size()),
+          is_even_(width % 2 == 0) {}
+
+    // Takes the next row, and calls done(row) for each row of the halved image that it completes.
+    template <class Done>
+    void take(std::span<const Float4> row, const Done& done) {
+        const std::size_t y = next_++;
+        // A row may be part of two, the last of one and the first of the next.
+        while (made_rows_ < rows_.size()) {
+            const Shares& rows = rows_[made_rows_];
+            if (y < rows.first) {
+                return;
+            }
+            const float part = rows.parts[y - rows.first];
+            for (std::size_t x = 0; part > 0.0F && x < sum_.size(); ++x) {
+                sum_[x] += part * row[x];
+            }
+            const bool goes_on = std::any_of(rows.parts.begin() + (y - rows.first) + 1,
+                                             rows.parts.end(), [](float p) { return p > 0.0F; });
+            if (goes_on) {
+                return;
+            }
+            halve_sum();
+            ++made_rows_;
+            done(std::span<const Float4>(made_));
+        }
+    }
+
+private:
+    void halve_sum() {
+        if (is_even_) {
+            for (std::size_t x = 0; x < made_.size(); ++x) {
+                made_[x] = 0.5F * sum_[2 * x] + 0.5F * sum_[2 * x + 1];
+            }
+        } else {
+            for (std::size_t x = 0; x < made_.size(); ++x) {
+                made_[x] = Float4{};
+                for (std::size_t k = 0; k < columns_[x].parts.size(); ++k) {
+                    const std::size_t column = std::min(columns_[x].first + k, sum_.size() - 1);
+                    made_[x] += columns_[x].parts[k] * sum_[column];
                 }
             }
         }
-        for (std::size_t x = 0; x < made.size(); ++x) {
-            made[x] = Float4{};
-            for (std::size_t k = 0; k < columns[x].parts.size(); ++k) {
-                made[x] += columns[x].parts[k] * line[std::min(columns[x].first + k, width - 1)];
-            }
-        }
-        if (!add(made)) {
-            return;
-        }
+        std::fill(sum_.begin(), sum_.end(), Float4{});
     }
-}
+
+    std::vector<Shares> columns_;
+    std::vector<Shares> rows_;
+    std::vector<Float4> sum_;   // Of the rows that the next halved row covers.
+    std::vector<Float4> made_;  // A halved row.
+    std::size_t next_ = 0;
+    std::size_t made_rows_ = 0;
+    bool is_even_;
+};
 
 // ----------------------------------------------------------------------------------- look-ups
 
@@ -195,43 +229,38 @@ std::optional<Diagnostic> MipPyramid::fill(TextureReader& image, const Codec& co
     using Texel = typename Codec::Texel;
     const std::span texels(reinterpret_cast<Texel*>(texels_.data()), first_.back() + 1);
     const std::size_t width = image.width();
+    const std::size_t height = image.height();
+    std::vector<Halving> halvings;
+    std::vector<Texel*> ends;  // Of what each level has.
+    for (std::size_t level = 1; level < first_.size(); ++level) {
+        halvings.emplace_back(std::max<std::size_t>(width >> (level - 1), 1),
+                              std::max<std::size_t>(height >> (level - 1), 1));
+        ends.push_back(&texels[first_[level]]);
+    }
+    const auto halve = [&](const auto& self, std::size_t level,
+                           std::span<const Float4> row) -> void {
+        if (level == halvings.size()) {
+            return;
+        }
+        halvings[level].take(row, [&](std::span<const Float4> made) {
+            ends[level] = std::transform(made.begin(), made.end(), ends[level],
+                                         [&](const Float4& value) { return codec.encode(value); });
+            self(self, level + 1, made);
+        });
+    };
     constexpr std::size_t rows_at_once = 64;
-    for (std::size_t y = 0; y < image.height(); y += rows_at_once) {
-        const std::size_t end = std::min(y + rows_at_once, image.height());
+    std::vector<Float4> decoded(width);
+    for (std::size_t y = 0; y < height; y += rows_at_once) {
+        const std::size_t end = std::min(y + rows_at_once, height);
         const std::span rows = texels.subspan(y * width, (end - y) * width);
         if (auto failure = image.read_rows(y, end, rows)) {
             return failure;
         }
-    }
-    std::vector<Float4> above;
-    std::vector<Float4> line(width);
-    std::size_t row_width = width;
-    std::size_t row_count = image.height();
-    for (std::size_t level = 1; level < first_.size(); ++level) {
-        // The image itself is decoded row by row.
-        const auto row = [&](std::size_t y) -> std::span<const Float4> {
-            if (level > 1) {
-                return std::span(above).subspan(y * row_width, row_width);
-            }
-            std::transform(texels.begin() + static_cast<std::ptrdiff_t>(y * width),
-                           texels.begin() + static_cast<std::ptrdiff_t>((y + 1) * width),
-                           line.begin(), [&](const Texel& texel) { return codec.decode(texel); });
-            return line;
-        };
-        std::vector<Float4> made;
-        made.reserve(halved(row_width) * halved(row_count));
-        halve(row_width, row_count, row, [&](const std::vector<Float4>& values) {
-            std::transform(values.begin(), values.end(), &texels[first_[level] + made.size()],
-                           [&](const Float4& value) { return codec.encode(value); });
-            made.insert(made.end(), values.begin(), values.end());
-            return !image.is_stopped();
-        });
-        if (image.is_stopped()) {
-            return stopped();
+        for (std::size_t row = 0; row < rows.size(); row += width) {
+            std::transform(&rows[row], &rows[row] + width, decoded.begin(),
+                           [&](const Texel& texel) { return codec.decode(texel); });
+            halve(halve, 0, decoded);
         }
-        above = std::move(made);
-        row_width = halved(row_width);
-        row_count = halved(row_count);
     }
     return std::nullopt;
 }

@@ -4,13 +4,11 @@
 #include "studio/session/frame_message.hpp"
 
 #include <array>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 
-#include <turbojpeg.h>
 #include <nlohmann/json.hpp>
 
 #include "balcony/images.hpp"
@@ -34,35 +32,23 @@ struct Pixels {
     const Picture& bytes;
 };
 
-std::optional<Picture> as_jpeg(const Pixels& pixels) {
-    constexpr int quality = 85;
-    const std::unique_ptr<void, int (*)(tjhandle)> compressor(tjInitCompress(), tjDestroy);
-    unsigned char* bytes = nullptr;
-    unsigned long size = 0;
-    const bool is_made = compressor && tjCompress2(compressor.get(), pixels.bytes.data(),
-                                                   static_cast<int>(pixels.width), 0,
-                                                   static_cast<int>(pixels.height), TJPF_RGB,
-                                                   &bytes, &size, TJSAMP_444, quality, 0) == 0;
-    const std::unique_ptr<unsigned char, void (*)(unsigned char*)> freed(bytes, tjFree);
-    return is_made ? std::optional(Picture(bytes, bytes + size)) : std::nullopt;
-}
-
-std::optional<Picture> as_png(const Pixels& pixels) {
+std::optional<Picture> encoded(const Pixels& pixels, std::string_view format) {
     Result<Picture> made = images::encode({.width = pixels.width,
                                            .height = pixels.height,
                                            .channels = 3,
                                            .samples = std::span<const std::uint8_t>(pixels.bytes)},
-                                          "png");
+                                          format);
     return std::move(made.value);
 }
 
 // The length of the head, the head, and the picture. The head gets its size and its format.
 std::vector<std::uint8_t> message(nlohmann::json head, const Pixels& pixels, bool is_jpeg) {
-    const std::optional<Picture> encoded = is_jpeg ? as_jpeg(pixels) : as_png(pixels);
-    const Picture& picture = encoded ? *encoded : pixels.bytes;
+    const std::string_view format = is_jpeg ? "jpeg" : "png";
+    const std::optional<Picture> file = encoded(pixels, format);
+    const Picture& picture = file ? *file : pixels.bytes;
     head["width"] = pixels.width;
     head["height"] = pixels.height;
-    head["format"] = !encoded ? "rgb" : is_jpeg ? "jpeg" : "png";
+    head["format"] = file ? format : "rgb";
     const std::string text = lsp::text_of(head);
     std::vector<std::uint8_t> made;
     made.reserve(4 + text.size() + picture.size());

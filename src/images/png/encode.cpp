@@ -1,37 +1,28 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-// PNG by libpng itself, since most pictures are PNG files and OpenImageIO takes 0.2 s to load.
-
-#include "images/png.hpp"
-
-#include <array>
 #include <bit>
 #include <cmath>
 #include <csetjmp>
-#include <cstring>
 #include <exception>
-#include <limits>
 #include <string_view>
 
 #include <fmt/format.h>
 #include <png.h>
 
+#include "images/png/libpng.hpp"
+#include "images/png/png.hpp"
+
 namespace balcony::images {
 
 namespace {
 
-// What libpng's callbacks write to. No exception may pass through libpng.
-struct Output {
-    std::vector<std::uint8_t> bytes;
-    std::array<char, 128> failure{};
-};
-
+// No exception may pass through libpng.
 void append(png_structp png, png_bytep bytes, std::size_t count) {
-    auto& output = *static_cast<Output*>(png_get_io_ptr(png));
+    auto& output = *static_cast<std::vector<std::uint8_t>*>(png_get_io_ptr(png));
     bool fits = true;
     try {
-        output.bytes.insert(output.bytes.end(), bytes, bytes + count);
+        output.insert(output.end(), bytes, bytes + count);
     } catch (const std::exception&) {
         fits = false;
     }
@@ -41,18 +32,8 @@ void append(png_structp png, png_bytep bytes, std::size_t count) {
     }
 }
 
-// libpng leaves by it: with a jump to where write() began.
-[[noreturn]] void fail(png_structp png, png_const_charp why) {
-    auto& failure = static_cast<Output*>(png_get_error_ptr(png))->failure;
-    std::strncpy(failure.data(), why, failure.size() - 1);
-    png_longjmp(png, 1);
-}
-
-void ignore(png_structp, png_const_charp) {}
-
 void describe(png_structp png, png_infop info, const Raster& raster, int bits) {
-    constexpr png_uint_32 any_side = std::numeric_limits<std::int32_t>::max();
-    png_set_user_limits(png, any_side, any_side);
+    allow_any_side(png);
     png_set_IHDR(png, info, static_cast<png_uint_32>(raster.width),
                  static_cast<png_uint_32>(raster.height), bits,
                  raster.channels == 4 ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB,
@@ -89,12 +70,13 @@ bool write(png_structp png, png_infop info, const Raster& raster, int bits, cons
 }  // namespace
 
 Result<std::vector<std::uint8_t>> encode_png(const Raster& raster) {
-    Output output;
-    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &output, fail, ignore);
+    std::vector<std::uint8_t> bytes;
+    PngFailure failure;
+    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &failure, fail, ignore);
     png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
     bool written = false;
     if (info != nullptr) {
-        png_set_write_fn(png, &output, append, nullptr);
+        png_set_write_fn(png, &bytes, append, nullptr);
         written = std::visit(
             [&](auto samples) {
                 constexpr std::size_t sample_size = sizeof(samples[0]);
@@ -106,12 +88,12 @@ Result<std::vector<std::uint8_t>> encode_png(const Raster& raster) {
     }
     png_destroy_write_struct(&png, &info);
     if (!written) {
-        const std::string_view failure = output.failure.data();
+        const std::string_view reason = failure.reason.data();
         return error(Kind::environment,
                      fmt::format("the picture cannot be encoded as png: {}",
-                                 failure.empty() ? "libpng does not start" : failure));
+                                 reason.empty() ? "libpng does not start" : reason));
     }
-    return std::move(output.bytes);
+    return bytes;
 }
 
 }  // namespace balcony::images
