@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <unordered_map>
@@ -25,31 +24,31 @@ namespace balcony::render::embree {
 
 namespace {
 
-struct ReleaseDevice {
-    void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
-};
 struct ReleaseScene {
     void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
 };
 struct ReleaseGeometry {
     void operator()(RTCGeometry geometry) const { rtcReleaseGeometry(geometry); }
 };
-using Device = std::unique_ptr<std::remove_pointer_t<RTCDevice>, ReleaseDevice>;
+using Device = std::shared_ptr<std::remove_pointer_t<RTCDevice>>;
 using BuiltScene = std::shared_ptr<std::remove_pointer_t<RTCScene>>;
 using Geometry = std::unique_ptr<std::remove_pointer_t<RTCGeometry>, ReleaseGeometry>;
 
-// The first error that Embree reported.
-struct ErrorLog {
-    std::mutex mutex;
-    std::string first;
-};
+// What Embree said of the first call that failed while this thread built a structure. It reports an
+// error in the thread of the call.
+thread_local std::string first_error;
 
-void record_error(void* user, RTCError, const char* message) {
-    auto* log = static_cast<ErrorLog*>(user);
-    const std::lock_guard lock(log->mutex);
-    if (log->first.empty()) {
-        log->first = message != nullptr && *message != '\0' ? message : "unknown error";
+void record_error(void*, RTCError, const char* message) {
+    if (first_error.empty()) {
+        first_error = message != nullptr && *message != '\0' ? message : "unknown error";
     }
+}
+
+Diagnostics failure_of_build() {
+    if (first_error.empty()) {
+        return {};
+    }
+    return {error(fmt::format("the acceleration structure cannot be built: {}", first_error))};
 }
 
 // Geometries of the world are numbered as the scene's instances are; inside an instance of a shared
@@ -221,12 +220,6 @@ Sizes sizes_of(const scene::Scene& scene, const std::vector<Use>& uses) {
 
 }  // namespace
 
-// Embree, with the errors that it reports.
-struct Engine {
-    ErrorLog errors;
-    Device device;
-};
-
 // The structure of a mesh that instances place.
 struct BuiltMesh {
     BuiltScene built{};  // Null if no instance places it.
@@ -235,13 +228,13 @@ struct BuiltMesh {
 };
 
 struct Accelerator::State {
-    std::shared_ptr<Engine> engine = std::make_shared<Engine>();
+    Device engine;
     std::vector<BuiltMesh> meshes;  // By mesh.
     BuiltScene world;
     std::vector<bool> attached;  // To the world, by instance.
     float reach = max_coordinate;
 
-    [[nodiscard]] RTCDevice device() const { return engine->device.get(); }
+    [[nodiscard]] RTCDevice device() const { return engine.get(); }
     void reuse(const std::vector<BuiltMesh>& before, const scene::Scene& scene);
     void place(const scene::Scene& scene, const MotionSteps& motion, std::size_t instance,
                BuildMonitor& monitor);
@@ -315,12 +308,12 @@ bool Accelerator::State::traceable(const Ray& ray) const {
 Result<Accelerator> Accelerator::build(const scene::Scene& scene, const scene::Movement& movement,
                                        const std::stop_token& stop, const PartDone& progress) {
     auto state = std::make_shared<State>();
-    Engine& engine = *state->engine;
-    engine.device.reset(rtcNewDevice(nullptr));
-    if (!engine.device) {
+    const RTCDevice device = rtcNewDevice(nullptr);
+    if (device == nullptr) {
         return error("Embree cannot start on this machine");
     }
-    rtcSetDeviceErrorFunction(engine.device.get(), record_error, &engine.errors);
+    state->engine.reset(device, rtcReleaseDevice);
+    rtcSetDeviceErrorFunction(device, record_error, nullptr);
     state->meshes.resize(scene.meshes.size());
     return fill(std::move(state), scene, movement, stop, progress);
 }
@@ -337,6 +330,7 @@ Result<Accelerator> Accelerator::moved(const scene::Scene& scene, const scene::M
 Result<Accelerator> Accelerator::fill(std::shared_ptr<State> state, const scene::Scene& scene,
                                       const scene::Movement& movement, const std::stop_token& stop,
                                       const PartDone& progress) {
+    first_error.clear();
     state->world = make_scene(state->device());
     state->attached.assign(scene.instances.size(), false);
     const MotionSteps motion(scene, movement);
@@ -356,16 +350,16 @@ Result<Accelerator> Accelerator::fill(std::shared_ptr<State> state, const scene:
     }
     monitor.commit(state->world.get(), sizes.world);
     if (monitor.is_stopped()) {
-        state->engine->errors.first.clear();  // Embree calls a stop an error.
-        return stopped();
+        return stopped();  // Embree calls it an error.
     }
-    if (const std::string& first = state->engine->errors.first; !first.empty()) {
-        return error(fmt::format("the acceleration structure cannot be built: {}", first));
+    if (Diagnostics failure = failure_of_build(); !failure.empty()) {
+        return failure;
     }
     return {Accelerator(std::move(state)), name_left_out(scene, uses)};
 }
 
 Result<Accelerator> Accelerator::only(std::span<const std::uint8_t> shown) const {
+    first_error.clear();
     auto state = std::make_shared<State>();
     state->engine = state_->engine;
     state->meshes = state_->meshes;
@@ -380,8 +374,8 @@ Result<Accelerator> Accelerator::only(std::span<const std::uint8_t> shown) const
         }
     }
     rtcCommitScene(state->world.get());
-    if (const std::string& first = state->engine->errors.first; !first.empty()) {
-        return error(fmt::format("the acceleration structure cannot be built: {}", first));
+    if (Diagnostics failure = failure_of_build(); !failure.empty()) {
+        return failure;
     }
     return Accelerator(std::move(state));
 }
