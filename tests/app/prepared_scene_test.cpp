@@ -3,6 +3,7 @@
 
 #include "balcony/prepared_scene.hpp"
 
+#include <algorithm>
 #include <fstream>
 
 #include "balcony/layer_values.hpp"
@@ -247,6 +248,38 @@ TEST_F(Garden, AnEmptySceneIsFilledAndEmptiedAgain) {
                     })
                     .empty());
     EXPECT_EQ(colors_of(*made), empty);
+}
+
+// Light from all around, but for a place where it is negative: a warning, when the file is read.
+void write_light(const std::string& file, double radiance) {
+    render::Film film = *render::make_film({.width = 4, .height = 2, .data_layers = false});
+    film.sum.assign(film.sum.size(), render::Color4d(radiance, radiance, radiance, 1.0));
+    film.sum.front().r = -1.0;
+    film.passes.assign(film.tile_count(), 1);
+    ASSERT_TRUE(render::write_exr(film, file).empty());
+}
+
+TEST_F(Garden, AnEnvironmentIsReadAgainOnlyIfItsFileHasChanged) {
+    Request request;
+    request.size.width = 24;
+    request.settings.integrator = "path";
+    request.light.environment = std::filesystem::path(file("light.exr"));
+    write_light(file("light.exr"), 1.0);
+    auto made = PreparedScene::make(garden(), request);
+    ASSERT_TRUE(made) << to_text(made.diagnostics);
+    EXPECT_EQ(made.diagnostics.size(), 1U) << to_text(made.diagnostics);
+    const lang::CameraSource source{std::make_shared<const SourceText>("down.cam", camera)};
+    const auto picture = made->picture(source, "", {});
+    ASSERT_TRUE(picture) << to_text(picture.diagnostics);
+    const auto brightest = [&] {
+        const std::vector<float> seen = render::color_values(*made->film()).values;
+        return *std::max_element(seen.begin(), seen.end());
+    };
+    EXPECT_TRUE(made->render(picture->picture, request).diagnostics.empty());
+    const float before = brightest();
+    write_light(file("light.exr"), 10.0);
+    EXPECT_EQ(made->render(picture->picture, request).diagnostics.size(), 1U);
+    EXPECT_GT(brightest(), 5.0F * before);
 }
 
 }  // namespace

@@ -60,6 +60,21 @@ bool move_renderer(Loaded& loaded, const scene::TimeInterval& times, const std::
     return true;
 }
 
+// Loads the environment of a file, as far as that is not done.
+void load_environment(const fs::path& file, std::optional<EnvironmentFile>& loaded,
+                      const std::stop_token& stop, Diagnostics& found) {
+    if (loaded && loaded->file == file && !loaded->watch.has_changed()) {
+        return;
+    }
+    loaded.reset();
+    FileWatch watch({file});
+    auto read = render::Environment::load(file, stop);
+    add(found, read.diagnostics);
+    if (read) {
+        loaded.emplace(EnvironmentFile{file, std::move(watch), std::move(*read)});
+    }
+}
+
 // Loads what a request needs, as far as that is not done.
 class Loading {
 public:
@@ -203,7 +218,9 @@ std::vector<fs::path> Loaded::files() const {
     if (scene) {
         all.insert(all.end(), scene->files.begin(), scene->files.end());
     }
-    all.insert(all.end(), environment.begin(), environment.end());
+    if (environment) {
+        all.push_back(environment->file);
+    }
     all.insert(all.end(), marks.begin(), marks.end());
     return all;
 }
@@ -221,24 +238,21 @@ Loaded shared(const Loaded& loaded) {
     return made;
 }
 
-std::vector<fs::path> environment_files(const Request& request) {
-    const auto* const file = std::get_if<fs::path>(&request.light.environment);
-    return file == nullptr ? std::vector<fs::path>{} : std::vector<fs::path>{*file};
-}
-
 bool load_settings(const Request& request, Loaded& loaded, const std::stop_token& stop,
                    Diagnostics& found) {
     Result<render::Settings> settings = settings_of(request);
     add(found, settings.diagnostics);
-    loaded.environment = environment_files(request);
-    if (settings && !loaded.environment.empty()) {
-        const auto read = render::Environment::load(loaded.environment.front(), stop);
-        add(found, read.diagnostics);
-        if (!read) {
+    const auto* const file = std::get_if<fs::path>(&request.light.environment);
+    if (file == nullptr) {
+        loaded.environment.reset();
+    } else if (settings) {
+        load_environment(*file, loaded.environment, stop, found);
+        if (!loaded.environment) {
             return false;
         }
         settings->light.environment =
-            read->rotated(request.light.rotation).scaled(request.light.strength);
+            loaded.environment->environment.rotated(request.light.rotation)
+                .scaled(request.light.strength);
     }
     if (settings) {
         loaded.settings = std::move(*settings);

@@ -19,18 +19,25 @@
 
 namespace balcony::app {
 
+/// An environment that is a file, as it was read.
+struct EnvironmentFile {
+    std::filesystem::path file;
+    FileWatch watch;
+    render::Environment environment;
+};
+
 /// What remains loaded from one picture to the next.
 struct Loaded {
     lang::Workspace cameras;
     std::shared_ptr<const scene::Scene> scene;
     std::optional<render::Renderer> renderer;
-    std::shared_ptr<const scene::Scene> traced{};      ///< That of the renderer.
-    scene::TimeInterval times{};                       ///< Of the renderer's rays.
-    double load_seconds = 0.0;                         ///< To read the scene.
-    render::Settings settings{};                       ///< With an environment that is a file.
-    std::vector<std::filesystem::path> environment{};  ///< Its file, if there is one.
-    std::vector<std::filesystem::path> marks{};        ///< The file of Request::solve, if any.
-    FileWatch::Time since{};                           ///< Before the first file was read.
+    std::shared_ptr<const scene::Scene> traced{};  ///< That of the renderer.
+    scene::TimeInterval times{};                   ///< Of the renderer's rays.
+    double load_seconds = 0.0;                     ///< To read the scene.
+    render::Settings settings{};                   ///< With an environment that is a file.
+    std::optional<EnvironmentFile> environment{};
+    std::vector<std::filesystem::path> marks{};  ///< The file of Request::solve, if any.
+    FileWatch::Time since{};                     ///< Before the first file was read.
 
     /// The files that the picture depends on.
     [[nodiscard]] std::vector<std::filesystem::path> files() const;
@@ -39,10 +46,8 @@ struct Loaded {
 /// The same scene and settings, with a workspace of its own.
 [[nodiscard]] Loaded shared(const Loaded& loaded);
 
-/// The file of the environment of a request, if it is one.
-[[nodiscard]] std::vector<std::filesystem::path> environment_files(const Request& request);
-
-/// The settings of a request, with its environment. False if that fails, as the diagnostics say.
+/// The settings of a request, with its environment, whose file is read again only if it has
+/// changed. False if that fails, as the diagnostics say.
 [[nodiscard]] bool load_settings(const Request& request, Loaded& loaded,
                                  const std::stop_token& stop, Diagnostics& found);
 

@@ -2,13 +2,26 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include <chrono>
+#include <filesystem>
 #include <optional>
 #include <utility>
+#include <variant>
+#include <vector>
 
 #include "app/inputs/file_watch.hpp"
 #include "app/picture/session.hpp"
 
 namespace balcony::app {
+
+namespace {
+
+// The file of the environment of a request, if it is one.
+std::vector<std::filesystem::path> environment_files(const Request& request) {
+    const auto* const file = std::get_if<std::filesystem::path>(&request.light.environment);
+    return file == nullptr ? std::vector<std::filesystem::path>{} : std::vector{*file};
+}
+
+}  // namespace
 
 /// The files of a picture, while it is rendered again and again.
 class PictureWatch {
