@@ -99,7 +99,7 @@ Result<std::shared_ptr<const InputRays>> CameraRays::made_of(
     if (!camera) {
         return camera.diagnostics;
     }
-    Result<InputRays> rays = InputRays::make(*camera, size_.x, size_.y, inputs_, shapes_, stop_);
+    Result<InputRays> rays = InputRays::make(*camera, size_, closed_ > 0, inputs_, shapes_, stop_);
     return rays ? Result<std::shared_ptr<const InputRays>>(
                       std::make_shared<const InputRays>(std::move(*rays)))
                 : Result<std::shared_ptr<const InputRays>>(std::move(rays.diagnostics));

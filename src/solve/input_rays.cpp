@@ -3,6 +3,7 @@
 
 #include "solve/input_rays.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -28,8 +29,8 @@ void append_derivatives(std::vector<Expr>& roots, std::span<const Expr> of, Expr
     roots.insert(roots.end(), derivatives.begin(), derivatives.end());
 }
 
-program::Interface interface_of(const std::vector<std::string>& inputs) {
-    program::Interface made{program::Sampling::points, {}};
+program::Interface interface_of(const std::vector<std::string>& inputs, bool is_simplified) {
+    program::Interface made{program::Sampling::points, {}, is_simplified};
     for (const std::string& name : inputs) {
         made.inputs.push_back({name});
     }
@@ -61,17 +62,18 @@ void run_at(const program::Program& program, std::span<const V2d> points, double
 
 }  // namespace
 
-Result<InputRays> InputRays::make(const camera::Camera& camera, double width, double height,
-                                  const std::vector<std::string>& inputs,
+Result<InputRays> InputRays::make(const camera::Camera& camera, const V2d& size,
+                                  bool is_one_of_many, const std::vector<std::string>& inputs,
                                   const std::vector<const Constraint*>& shapes,
                                   const std::stop_token& stop) {
     if (camera.parts().bend) {
         return rays::bent_rays_error(camera.name(), camera.parts().bend_span);
     }
-    return make({[&](expr::Graph& graph) { return camera.emit(graph, width, height); },
-                 camera.parts().axes,
-                 camera.name(),
-                 {width, height}},
+    return make({.emit = [&](expr::Graph& graph) { return camera.emit(graph, size.x, size.y); },
+                 .axes = camera.parts().axes,
+                 .name = camera.name(),
+                 .size = size,
+                 .is_one_of_many = is_one_of_many},
                 inputs, shapes, stop);
 }
 
@@ -85,7 +87,7 @@ Result<InputRays> InputRays::make(const RaySource& source, const std::vector<std
         }
         std::vector<Expr> roots = rays::ray_roots(ray, false, true, source.axes, source.axes);
         const std::vector<Expr> of(roots.begin(), roots.begin() + change_size);
-        const program::Interface interface = interface_of(inputs);
+        const program::Interface interface = interface_of(inputs, !source.is_one_of_many);
 
         InputRays made;
         made.inputs_ = inputs.size();
@@ -95,17 +97,31 @@ Result<InputRays> InputRays::make(const RaySource& source, const std::vector<std
         for (const std::string& name : inputs) {
             append_derivatives(roots, of, graph.input(name));
         }
-        made.by_input_ = rays::take(program::Program::make(roots, interface), found);
-        for (const Constraint* shape : shapes) {
+        made.by_input_ = inputs.empty()
+                             ? made.rays_
+                             : rays::take(program::Program::make(roots, interface), found);
+        for (auto place = shapes.begin(); place != shapes.end(); ++place) {
+            const Constraint* const shape = *place;
+            const auto alike = std::find_if(shapes.begin(), place, [&](const Constraint* other) {
+                return have_same_formulas(*other, *shape);
+            });
+            if (alike != place) {
+                Shape known = made.shapes_[static_cast<std::size_t>(alike - shapes.begin())];
+                known.position = shape->position;
+                made.shapes_.push_back(std::move(known));
+                continue;
+            }
             const std::vector<Expr> misses = shape_misses(*shape, ray);
             std::vector<Expr> shape_roots{ray.valid};
             shape_roots.insert(shape_roots.end(), misses.begin(), misses.end());
             for (const std::string& name : inputs) {
                 append_derivatives(shape_roots, misses, graph.input(name));
             }
-            if (auto program = rays::take(program::Program::make(shape_roots, interface), found)) {
-                made.shapes_.push_back({std::move(*program), shape->position, misses.size()});
+            auto program = rays::take(program::Program::make(shape_roots, interface), found);
+            if (!program) {
+                return found;
             }
+            made.shapes_.push_back({std::move(*program), shape->position, misses.size()});
         }
         if (has_errors(found)) {
             return found;

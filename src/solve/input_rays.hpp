@@ -43,6 +43,9 @@ struct RaySource {
     std::string name;
     V2d size;
     double time = 0.0;  ///< In seconds.
+    /// Whether it is one of many that give a few rays each, so that simplifying its formulas does
+    /// not pay.
+    bool is_one_of_many = false;
 };
 
 /// The rays of a camera in a picture of one size at one time, for any values of some inputs.
@@ -53,8 +56,8 @@ public:
                                                 const std::vector<std::string>& inputs,
                                                 const std::vector<const Constraint*>& shapes,
                                                 const std::stop_token& stop);
-    [[nodiscard]] static Result<InputRays> make(const camera::Camera& camera, double width,
-                                                double height,
+    [[nodiscard]] static Result<InputRays> make(const camera::Camera& camera, const V2d& size,
+                                                bool is_one_of_many,
                                                 const std::vector<std::string>& inputs,
                                                 const std::vector<const Constraint*>& shapes,
                                                 const std::stop_token& stop);

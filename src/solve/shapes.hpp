@@ -11,6 +11,11 @@
 
 namespace balcony::solve {
 
+/// Whether two constraints without marks miss the same, if at other positions.
+[[nodiscard]] inline bool have_same_formulas(const Constraint& a, const Constraint& b) {
+    return a.kind == b.kind && a.value == b.value && a.distance == b.distance;
+}
+
 /// What a constraint without marks misses, in its unit: numbers that should be 0.
 [[nodiscard]] std::vector<camera::Expr> shape_misses(const Constraint& constraint,
                                                      const camera::RayExpressions& ray);
