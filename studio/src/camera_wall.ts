@@ -54,14 +54,23 @@ export class CameraWall extends LitElement {
         return this.querySelector("dialog")!;
     }
 
-    /** Pictures of before are of another scene or of another look of it. */
+    /** Opens at once, so that the keys that follow are those of the search. */
     async open(): Promise<void> {
         if (!this.server) return;
-        this.cameras = await this.server.list();
-        this.requestUpdate();
-        await this.updateComplete;
         this.dialog.showModal();
-        this.querySelector("input")!.focus();
+        const search = this.querySelector("input")!;
+        search.focus();
+        search.select();
+        if (this.cameras.length === 0) {
+            try {
+                this.cameras = await this.server.list();
+            } catch (error) {
+                this.dialog.close();
+                throw error;
+            }
+            this.requestUpdate();
+            await this.updateComplete;
+        }
         this.watch();
     }
 
@@ -149,8 +158,8 @@ export class CameraWall extends LitElement {
     }
 
     override render() {
-        if (this.cameras.length === 0) return html`<dialog aria-label="Cameras"></dialog>`;
         const { found } = this;
+        const isListed = this.cameras.length > 0;
         const families = [...new Set(found.map(({ family }) => family))];
         return html`<dialog class="wall" aria-label="Cameras" @close=${() => this.closed()}>
             <div class="top">
@@ -161,7 +170,7 @@ export class CameraWall extends LitElement {
                     aria-label="Search by what cameras are for"
                     @input=${(event: Event) => void this.searched(event)}
                 />
-                <span class="quiet" role="status">${found.length} of ${this.cameras.length}</span>
+                <span class="quiet" role="status">${isListed ? `${found.length} of ${this.cameras.length}` : nothing}</span>
                 <span class="space"></span>
                 <button @click=${() => this.dialog.close()}>Close</button>
             </div>
@@ -172,7 +181,7 @@ export class CameraWall extends LitElement {
                         <div class="cards">${found.filter((one) => one.family === family).map((one) => this.card(one))}</div>
                     </section>`,
                 )}
-                ${found.length === 0 ? html`<p class="quiet">No camera is for that. Try another word.</p>` : nothing}
+                ${isListed && found.length === 0 ? html`<p class="quiet">No camera is for that. Try another word.</p>` : nothing}
             </div>
         </dialog>`;
     }

@@ -7,7 +7,7 @@ import type { ParameterKeys } from "./protocol";
 import type { Page, Session } from "./session";
 
 export class FilmTime {
-    /** In seconds; null for that of the server. */
+    /** In seconds, of the line in this page; null if it has none and the time is that of the server. */
     chosen: number | null = null;
     /** Whether a number that a slider moves gets a key at this time. */
     isKeying = false;
@@ -54,9 +54,9 @@ export class FilmTime {
         return found;
     }
 
-    /** What the server has to know to write values. */
+    /** What the server has to know to write values: the line's time, even if the picture has yet to follow it. */
     get asked(): object {
-        return { time: this.session.camera?.time ?? 0, frame: this.frame, keys: this.isKeying };
+        return { time: this.chosen ?? this.session.camera?.time ?? 0, frame: this.frame, keys: this.isKeying };
     }
 
     /** Shows a time in seconds. The number of the change; null without a connection. */
@@ -69,6 +69,13 @@ export class FilmTime {
         } catch {
             return null; // Of a lost connection.
         }
+    }
+
+    /** Shows the time of the command line again, when the line is closed. */
+    async leave(): Promise<void> {
+        const time = this.session.about?.time ?? 0;
+        await this.show(time);
+        if (this.chosen === time) this.chosen = null;
     }
 
     toggleKeying(): void {

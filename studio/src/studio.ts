@@ -222,7 +222,7 @@ export class BalconyStudio extends LitElement implements Page {
         },
         timeline: () => {
             this.hasTimeline = !this.hasTimeline;
-            if (!this.hasTimeline) void this.session.film.show(this.session.about?.time ?? 0);
+            if (!this.hasTimeline) void this.session.film.leave();
             this.changed();
         },
         handles: () => {

@@ -69,7 +69,9 @@ test("a lattice of the picture is one question, and its points are those of the 
     });
     await choose(page, "#overlay-grid");
     await untilLattice(page);
-    assert.deepEqual(await asked.jsonValue(), ["view/grid"]);
+    // The editor asks its own questions, some of them after it has been opened.
+    const lattices = (await asked.jsonValue()).filter((method) => method.startsWith("view/"));
+    assert.deepEqual(lattices, ["view/grid"]);
     const [place, seen] = await page.tab.evaluate(async () => {
         const { inspection, session } = document.querySelector("balcony-studio");
         const place = inspection.lattice.places.findLast((one) => one.hit);

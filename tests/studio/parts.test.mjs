@@ -15,7 +15,7 @@ const repository = join(dirname(fileURLToPath(import.meta.url)), "../..");
 
 /** The modules of the page as one. */
 async function page() {
-    const names = ["shared_text", "language", "language_server", "parameter_range", "picture_size", "latency", "number_drag", "lattice", "taken_camera"];
+    const names = ["shared_text", "language", "language_server", "parameter_range", "picture_size", "latency", "number_drag", "lattice", "taken_camera", "film_time"];
     const made = await build({
         stdin: {
             contents: [
@@ -310,4 +310,24 @@ test("a camera that is taken has a name that the text does not have", () => {
     const { insert, name } = parts.taken("camera a {\n}", camera, "panorama", ["panorama", "panorama_2"]);
     assert.equal(name, "panorama_3");
     assert.equal(insert, "\n\n// Of panorama().\ncamera panorama_3(yaw = 0deg) {\n}\n");
+});
+
+test("keys are written at the time of the line, before the picture follows it", async () => {
+    const answers = [];
+    const session = {
+        link: "open",
+        camera: { time: 0.5 },
+        about: { frameRate: 24, time: 0.25 },
+        connection: { request: (method, { time }) => new Promise((answer) => answers.push(() => answer({ change: time }))) },
+    };
+    const film = new parts.FilmTime(session, {});
+    assert.equal(film.asked.time, 0.5);
+    void film.show(2);
+    assert.equal(film.asked.time, 2);
+    // Without the line, the time is the server's.
+    const left = film.leave();
+    answers.forEach((answer) => answer());
+    await left;
+    session.camera.time = 0.75;
+    assert.equal(film.asked.time, 0.75);
 });

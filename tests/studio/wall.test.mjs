@@ -49,12 +49,13 @@ test("cameras are searched by what they are for, and one is taken as one step of
     await page.untilText(text);
 });
 
-test("a word that no camera is for says so", async () => {
+test("what is typed at once is the search, and a word that no camera is for says so", async () => {
     const page = await studio.open();
-    await page.tab.locator("#wall").click();
-    await page.tab.locator(".card").first().waitFor();
+    await page.tab.locator("camera-editor .cm-content").click();
+    await page.tab.evaluate(() => document.querySelector("#wall").click());
     await page.tab.keyboard.type("xyzzy");
     await page.tab.getByText("No camera is for that").waitFor();
+    assert.equal(await page.text(), text);
     await page.tab.keyboard.press("Escape");
     await page.until((_) => document.querySelector("dialog[open]") === null);
 });
