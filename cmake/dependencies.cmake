@@ -31,9 +31,11 @@ balcony_find(Eigen3 3.4 6 libeigen3-dev)    # Eigen3::Eigen, headers of the laye
 find_package(tomlplusplus 3.3 REQUIRED)     # toml++/toml.h, headers of the layer dataset
 find_package(CLI11 2.1 REQUIRED)            # CLI11::CLI11
 find_package(Boost 1.74 REQUIRED CONFIG)    # Boost::headers, of the layer studio
-find_package(TurboJPEG REQUIRED)            # TurboJPEG::TurboJPEG, of the layer studio
-# A module with a sanitizer needs an interpreter with it.
-if(BALCONY_PYTHON AND NOT BALCONY_SANITIZE AND NOT CMAKE_CROSSCOMPILING)
+# A module with a sanitizer is loaded by an interpreter without it, which takes the runtime of g++.
+if(BALCONY_SANITIZE AND NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    set(BALCONY_PYTHON OFF)
+endif()
+if(BALCONY_PYTHON AND NOT CMAKE_CROSSCOMPILING)
     set(PYBIND11_FINDPYTHON ON)
     find_package(pybind11 2.10 REQUIRED CONFIG)  # pybind11_add_module, of the layer python
 else()

@@ -1,10 +1,12 @@
-# balcony_layer(NAME [NOT_INSTALLED] SOURCES file... [USES layer...] [PRIVATE library...])
+# balcony_layer(NAME [NOT_INSTALLED] [LIGHTLY_OPTIMISED]
+#               SOURCES file... [USES layer...] [PRIVATE library...])
 #
 # One static library for one folder of src/. USES names the layers below that it may include;
 # PRIVATE names external libraries. The parts of the command that have layers of their own are
-# NOT_INSTALLED: other programs do not use them. tests/architecture has the table of allowed dependencies.
+# NOT_INSTALLED: other programs do not use them. Layers whose time is spent in those below are
+# LIGHTLY_OPTIMISED. tests/architecture has the table of allowed dependencies.
 function(balcony_layer name)
-    cmake_parse_arguments(layer "NOT_INSTALLED" "" "SOURCES;USES;PRIVATE" ${ARGN})
+    cmake_parse_arguments(layer "NOT_INSTALLED;LIGHTLY_OPTIMISED" "" "SOURCES;USES;PRIVATE" ${ARGN})
     set(target balcony_${name})
     add_library(${target} STATIC ${layer_SOURCES})
     add_library(balcony::${name} ALIAS ${target})
@@ -18,7 +20,12 @@ function(balcony_layer name)
         target_link_libraries(${target} PUBLIC balcony_${used})
     endforeach()
     target_link_libraries(${target} PRIVATE ${layer_PRIVATE})
-    balcony_use_precompiled_headers(${target} layer)
+    if(layer_LIGHTLY_OPTIMISED)
+        balcony_optimise_lightly(${target})
+        balcony_use_precompiled_headers(${target} light_layer)
+    else()
+        balcony_use_precompiled_headers(${target} layer)
+    endif()
     balcony_group_sources(${target})
     if(NOT layer_NOT_INSTALLED)
         set_property(GLOBAL APPEND PROPERTY BALCONY_LAYERS ${target})

@@ -31,6 +31,14 @@ if(BALCONY_SANITIZE)
     endif()
 endif()
 
+# balcony_optimise_lightly(TARGET): for code that calls others, or that tests run once. It compiles in
+# three quarters of the time. At this level, g++ 14 takes for uninitialised what a constructor that
+# fails has not reached.
+function(balcony_optimise_lightly target)
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>
+        $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU>>:-Wno-maybe-uninitialized>)
+endfunction()
+
 # Lets ccache identify a precompiled header by its text.
 find_program(BALCONY_CCACHE_PROGRAM ccache)
 mark_as_advanced(BALCONY_CCACHE_PROGRAM)

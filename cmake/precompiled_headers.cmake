@@ -1,12 +1,14 @@
 # External headers that most files include are compiled once, not for every file. A file
 # still includes what it uses, so that everything compiles without them (BALCONY_PCH=OFF).
 
-# balcony_precompiled_headers(NAME HEADERS header... [LINKS library...] [POSITION_INDEPENDENT])
+# balcony_precompiled_headers(NAME HEADERS header... [LINKS library...] [POSITION_INDEPENDENT]
+#                             [LIGHTLY_OPTIMISED])
 #
 # Defines a set of headers from the libraries in LINKS. Targets that use a set are compiled
-# with its flags: POSITION_INDEPENDENT as all layers are, or not, as programs are.
+# with its flags: POSITION_INDEPENDENT as all layers are, or not, as programs are. g++ 14 rejects
+# headers that were precompiled with another level of optimisation.
 function(balcony_precompiled_headers name)
-    cmake_parse_arguments(set "POSITION_INDEPENDENT" "" "HEADERS;LINKS" ${ARGN})
+    cmake_parse_arguments(set "POSITION_INDEPENDENT;LIGHTLY_OPTIMISED" "" "HEADERS;LINKS" ${ARGN})
     if(BALCONY_PCH)
         set(source "${CMAKE_CURRENT_BINARY_DIR}/${name}_headers.cpp")
         file(CONFIGURE OUTPUT "${source}" CONTENT "")
@@ -15,6 +17,9 @@ function(balcony_precompiled_headers name)
         target_precompile_headers(${name}_headers PRIVATE ${set_HEADERS})
         if(set_POSITION_INDEPENDENT)
             set_target_properties(${name}_headers PROPERTIES POSITION_INDEPENDENT_CODE ON)
+        endif()
+        if(set_LIGHTLY_OPTIMISED)
+            balcony_optimise_lightly(${name}_headers)
         endif()
     endif()
 endfunction()
@@ -38,12 +43,11 @@ set(layer_headers ${standard_headers} <fmt/format.h> <Imath/ImathBox.h> <Imath/I
 balcony_precompiled_headers(layer POSITION_INDEPENDENT
     HEADERS ${layer_headers}
     LINKS fmt::fmt Imath::Imath)
+balcony_precompiled_headers(light_layer POSITION_INDEPENDENT LIGHTLY_OPTIMISED
+    HEADERS ${layer_headers}
+    LINKS fmt::fmt Imath::Imath)
 if(BUILD_TESTING)
-    balcony_precompiled_headers(test
+    balcony_precompiled_headers(test LIGHTLY_OPTIMISED
         HEADERS ${layer_headers} <fstream> <random> <gtest/gtest.h>
         LINKS fmt::fmt Imath::Imath GTest::gtest)
-endif()
-# g++ 14 rejects headers that were precompiled with another level of optimisation.
-if(TARGET test_headers)
-    target_compile_options(test_headers PRIVATE $<$<CONFIG:Release>:-O1>)
 endif()
