@@ -3,16 +3,13 @@
 //
 // Cameras as scenes: written as GLB, read back, and measured.
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <map>
 
 #include <gtest/gtest.h>
 
+#include "../files/temporary_folder.hpp"
 #include "balcony/drawing.hpp"
 #include "balcony/scene.hpp"
 #include "support.hpp"
@@ -72,14 +69,10 @@ TEST(Model, HasASurfaceWithNormalsAndParameters) {
 
 TEST(Model, WritesAndLoads) {
     const scene::Scene scene = modelled(test::standard("pinhole"));
-    const auto file = std::filesystem::temp_directory_path() /
-                      ("balcony-model-" + std::to_string(::getpid()) + ".glb");
+    const files::TemporaryFolder folder;
     const auto bytes = scene::to_glb(scene);
-    std::ofstream(file, std::ios::binary)
-        .write(reinterpret_cast<const char*>(bytes.data()),
-               static_cast<std::streamsize>(bytes.size()));
-    const auto loaded = scene::load(file);
-    std::filesystem::remove(file);
+    const auto loaded = scene::load(
+        folder.write("model.glb", {reinterpret_cast<const char*>(bytes.data()), bytes.size()}));
     ASSERT_TRUE(loaded) << to_text(loaded.diagnostics);
     EXPECT_TRUE(loaded.diagnostics.empty()) << to_text(loaded.diagnostics);
     ASSERT_EQ(loaded->objects.size(), 4U);

@@ -4,12 +4,12 @@
 #include "balcony/input_file.hpp"
 
 #include <filesystem>
-#include <fstream>
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "../files/temporary_folder.hpp"
 #include "balcony/content_hash.hpp"
 
 namespace balcony::input_file_test {
@@ -19,11 +19,7 @@ namespace fs = std::filesystem;
 
 class InputFile : public ::testing::Test {
 protected:
-    fs::path folder =
-        fs::path(::testing::TempDir()) / ("balcony_input_file_" + std::to_string(getpid()));
-
-    void SetUp() override { fs::create_directory(folder); }
-    void TearDown() override { fs::remove_all(folder); }
+    const files::TemporaryFolder folder;
 
     static std::string said(const fs::path& file) {
         const auto fault = not_a_file(file, "'x'");
@@ -33,7 +29,7 @@ protected:
 };
 
 TEST_F(InputFile, IsARegularFileOrALinkToOne) {
-    std::ofstream(folder / "file") << "bytes";
+    folder.write("file", "bytes");
     fs::create_symlink("file", folder / "link");
     EXPECT_EQ(said(folder / "file"), "");
     EXPECT_EQ(said(folder / "link"), "");
@@ -43,7 +39,7 @@ TEST_F(InputFile, WhatIsNoneIsNamed) {
     fs::create_symlink("loop", folder / "loop");
     fs::create_symlink("nowhere", folder / "link");
     ASSERT_EQ(mkfifo((folder / "pipe").c_str(), S_IRUSR | S_IWUSR), 0);
-    EXPECT_EQ(said(folder), "'x' is a folder, not a file");
+    EXPECT_EQ(said(folder.path()), "'x' is a folder, not a file");
     EXPECT_EQ(said(folder / "pipe"), "'x' is a pipe or a device, not a file");
     EXPECT_EQ(said("/dev/zero"), "'x' is a pipe or a device, not a file");
     EXPECT_EQ(said(folder / "loop"), "'x' is a link that leads to no file");

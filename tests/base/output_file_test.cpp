@@ -4,7 +4,6 @@
 #include "balcony/output_file.hpp"
 
 #include <array>
-#include <fstream>
 #include <iterator>
 #include <stdexcept>
 
@@ -14,26 +13,16 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "../files/temporary_folder.hpp"
+
 namespace balcony::output_file_test {
 
 namespace {
 
 namespace fs = std::filesystem;
 
-fs::path new_folder(const char* name) {
-    fs::path folder = fs::path(testing::TempDir()) / name;
-    fs::remove_all(folder);
-    fs::create_directories(folder);
-    return folder;
-}
-
-std::string bytes_of(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-auto file_count(const fs::path& folder) {
-    return std::distance(fs::directory_iterator(folder), {});
+auto file_count(const files::TemporaryFolder& folder) {
+    return std::distance(fs::directory_iterator(folder.path()), {});
 }
 
 /// Two pipes to and from processes that write a file.
@@ -80,16 +69,15 @@ pid_t start_writer_in_container(const fs::path& file, const Channel& channel) {
 }  // namespace
 
 TEST(WriteWhole, ReplacesAFileAndLeavesNothingElse) {
-    const fs::path folder = new_folder("balcony_write_whole");
+    const files::TemporaryFolder folder;
     EXPECT_TRUE(write_whole(folder / "file", "a longer text").empty());
     EXPECT_TRUE(write_whole(folder / "file", "short").empty());
-    EXPECT_EQ(bytes_of(folder / "file"), "short");
+    EXPECT_EQ(files::bytes_of(folder / "file"), "short");
     EXPECT_EQ(file_count(folder), 1);
-    fs::remove_all(folder);
 }
 
 TEST(OutputFileInContainers, WritersWithTheSameProcessIdHaveDifferentFiles) {
-    const fs::path folder = new_folder("balcony_containers");
+    const files::TemporaryFolder folder;
     const Channel channel;
     std::array<pid_t, 2> writers{};
     for (pid_t& writer : writers) {
@@ -102,7 +90,6 @@ TEST(OutputFileInContainers, WritersWithTheSameProcessIdHaveDifferentFiles) {
     for (const pid_t writer : writers) {
         waitpid(writer, nullptr, 0);
     }
-    fs::remove_all(folder);
     if (!both) {
         GTEST_SKIP() << "this system makes no containers for us";
     }
@@ -110,18 +97,17 @@ TEST(OutputFileInContainers, WritersWithTheSameProcessIdHaveDifferentFiles) {
 }
 
 TEST(OutputFile, LeavesNothingIfItIsNotCommitted) {
-    const fs::path folder = new_folder("balcony_not_committed");
+    const files::TemporaryFolder folder;
     {
         OutputFile output(folder / "file");
         output.stream() << "half";
         EXPECT_EQ(file_count(folder), 1);
     }
     EXPECT_EQ(file_count(folder), 0);
-    fs::remove_all(folder);
 }
 
 TEST(OutputFile, WhatAKilledWriterLeftIsRemoved) {
-    const fs::path folder = new_folder("balcony_left");
+    const files::TemporaryFolder folder;
     if (const pid_t killed = fork(); killed == 0) {
         const OutputFile left(folder / "file");
         const OutputFile left_of_another(folder / "file.png");
@@ -138,16 +124,14 @@ TEST(OutputFile, WhatAKilledWriterLeftIsRemoved) {
         EXPECT_TRUE(fs::exists(first.beside()));
     }
     EXPECT_EQ(file_count(folder), 1);
-    fs::remove_all(folder);
 }
 
 TEST(OutputFile, ANewFileHasThePermissionsThatTheUserAllows) {
-    const fs::path folder = new_folder("balcony_user_mask");
+    const files::TemporaryFolder folder;
     const mode_t before = umask(0027);
     EXPECT_TRUE(write_whole(folder / "file", "x").empty());
     umask(before);
     EXPECT_EQ(fs::status(folder / "file").permissions(), fs::perms(0640));
-    fs::remove_all(folder);
 }
 
 TEST(WriteWhole, ReportsWhyAFileCannotBeWritten) {
@@ -158,25 +142,24 @@ TEST(WriteWhole, ReportsWhyAFileCannotBeWritten) {
 }
 
 TEST(WriteWhole, KeepsThePermissionsOfTheFileItReplaces) {
-    const fs::path file = fs::path(testing::TempDir()) / "balcony_permissions";
+    const files::TemporaryFolder folder;
+    const fs::path file = folder / "file";
     ASSERT_TRUE(write_whole(file, "before").empty());
     constexpr auto permissions = fs::perms::owner_read | fs::perms::owner_write;
     fs::permissions(file, permissions);
     EXPECT_TRUE(write_whole(file, "after").empty());
     EXPECT_EQ(fs::status(file).permissions(), permissions);
-    fs::remove(file);
 }
 
 TEST(WriteWhole, DoesNotReplaceDevicesOrPipes) {
-    const fs::path pipe = fs::path(testing::TempDir()) / "balcony_pipe";
-    fs::remove(pipe);
+    const files::TemporaryFolder folder;
+    const fs::path pipe = folder / "pipe";
     ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
     const Diagnostics said = write_whole(pipe, "x");
     ASSERT_EQ(said.size(), 1U);
     EXPECT_NE(said[0].message.find("is not a regular file"), std::string::npos);
     EXPECT_EQ(said[0].kind, Kind::environment);
     EXPECT_TRUE(fs::is_fifo(pipe));
-    fs::remove(pipe);
 }
 
 }  // namespace balcony::output_file_test

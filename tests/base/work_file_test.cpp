@@ -4,7 +4,6 @@
 #include "balcony/work_file.hpp"
 
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <string>
 
@@ -12,25 +11,13 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "../files/temporary_folder.hpp"
+
 namespace balcony::work_file_test {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path new_folder(const char* name) {
-    fs::path folder = fs::path(testing::TempDir()) / name;
-    fs::remove_all(folder);
-    fs::create_directories(folder);
-    return folder;
-}
-
-void write(const fs::path& file, const std::string& text) { std::ofstream(file) << text; }
-
-std::string text_of(const fs::path& file) {
-    std::ifstream stream(file);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 bool put(const WorkFile& file, const std::string& text) {
     return ::write(file.descriptor(), text.data(), text.size()) ==
@@ -46,44 +33,45 @@ bool refused(const Result<WorkFile>& opened, const std::string& message,
 }  // namespace
 
 TEST(WorkFileTest, IsEmptyWhenCreatedAndKeepsItsContentsWhenReopened) {
-    const fs::path file = new_folder("work-file") / "picture.part";
-    write(file, "of an earlier run");
+    const files::TemporaryFolder folder;
+    const fs::path file = folder / "picture.part";
+    folder.write("picture.part", "of an earlier run");
     {
         const auto made = WorkFile::create(file);
         ASSERT_TRUE(made);
         EXPECT_TRUE(put(*made, "new"));
     }
-    EXPECT_EQ(text_of(file), "new");
+    EXPECT_EQ(files::bytes_of(file), "new");
     EXPECT_TRUE(WorkFile::reopen(file));
-    EXPECT_EQ(text_of(file), "new");
+    EXPECT_EQ(files::bytes_of(file), "new");
 }
 
 TEST(WorkFileTest, NeverFollowsALink) {
-    const fs::path folder = new_folder("work-file-link");
-    write(folder / "precious", "precious");
+    const files::TemporaryFolder folder;
+    folder.write("precious", "precious");
     fs::create_symlink("precious", folder / "link");
     fs::create_symlink("nothing", folder / "dangling");
     for (const char* name : {"link", "dangling"}) {
         EXPECT_TRUE(refused(WorkFile::create(folder / name), "is not a regular file")) << name;
         EXPECT_TRUE(refused(WorkFile::reopen(folder / name), "is not a regular file")) << name;
     }
-    EXPECT_EQ(text_of(folder / "precious"), "precious");
+    EXPECT_EQ(files::bytes_of(folder / "precious"), "precious");
     EXPECT_FALSE(fs::exists(folder / "nothing"));
 }
 
 TEST(WorkFileTest, DoesNotWriteToAFileThatHasAnotherName) {
-    const fs::path folder = new_folder("work-file-hard-link");
-    write(folder / "precious", "precious");
+    const files::TemporaryFolder folder;
+    folder.write("precious", "precious");
     fs::create_hard_link(folder / "precious", folder / "picture.part");
     const auto made = WorkFile::create(folder / "picture.part");
     ASSERT_TRUE(made);
     EXPECT_TRUE(put(*made, "x"));
-    EXPECT_EQ(text_of(folder / "precious"), "precious");
+    EXPECT_EQ(files::bytes_of(folder / "precious"), "precious");
 }
 
 // Opening a pipe would wait for its reader.
 TEST(WorkFileTest, NeverOpensAPipeOrADevice) {
-    const fs::path folder = new_folder("work-file-pipe");
+    const files::TemporaryFolder folder;
     ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
     EXPECT_TRUE(refused(WorkFile::create(folder / "pipe"), "is not a regular file"));
     EXPECT_TRUE(refused(WorkFile::reopen(folder / "pipe"), "is not a regular file"));
@@ -91,7 +79,8 @@ TEST(WorkFileTest, NeverOpensAPipeOrADevice) {
 }
 
 TEST(WorkFileTest, IsOpenOnce) {
-    const fs::path file = new_folder("work-file-twice") / "picture.part";
+    const files::TemporaryFolder folder;
+    const fs::path file = folder / "picture.part";
     {
         const auto first = WorkFile::create(file);
         ASSERT_TRUE(first);
@@ -102,7 +91,8 @@ TEST(WorkFileTest, IsOpenOnce) {
 }
 
 TEST(WorkFileTest, WithoutAFolderTheMachineIsAtFault) {
-    const auto made = WorkFile::create(new_folder("work-file-none") / "none" / "picture.part");
+    const files::TemporaryFolder folder;
+    const auto made = WorkFile::create(folder / "none" / "picture.part");
     ASSERT_FALSE(made);
     EXPECT_EQ(made.diagnostics.front().kind, Kind::environment);
 }

@@ -7,61 +7,40 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <optional>
-
-#include <dlfcn.h>
-#include <fmt/format.h>
 
 #include "balcony/inverse.hpp"
 #include "bridge/text/camera_formulas.hpp"
+#include "compiled_library.hpp"
 #include "examples.hpp"
 
 namespace balcony::bridge::c_export_test {
 namespace {
 
-namespace fs = std::filesystem;
 using test::Example;
 using test::ExportedRay;
 
 // Derivatives of a megabyte of noise take a compiler too long for a test.
 bool is_searched(const Example& example) { return example.camera.operations() < 3000; }
 
-/// The functions of all examples in one library.
-class Library {
-public:
-    explicit Library(bool single, bool inverse = false) {
-        folder_ =
-            fs::temp_directory_path() /
-            fmt::format("balcony-c-{}-{}-{}", single ? "single" : "double", inverse, getpid());
-        fs::create_directories(folder_);
-        const fs::path source = folder_ / "all.c";
-        std::ofstream text(source);
-        for (const Example& example : test::examples()) {
-            const auto made = export_camera(*find_export_target("c"), {example.camera},
-                                            {.single = single, .inverse = inverse});
-            text << (made && (!inverse || is_searched(example)) ? made->text : "");
-        }
-        text.close();
-        const std::string command = fmt::format(
-            "{} -x c -std=c99 -Wall -Wextra -Werror -Wconversion -Wno-float-conversion -pedantic "
-            "-O0 -ffp-contract=off -shared -fPIC '{}' -o '{}' -lm",
-            BALCONY_C_COMPILER, source.string(), (folder_ / "all.so").string());
-        compiled_ = std::system(command.c_str()) == 0;
-        handle_ = dlopen((folder_ / "all.so").c_str(), RTLD_NOW | RTLD_LOCAL);
+/// The functions of all examples.
+std::string text_of_all(bool single, bool inverse) {
+    std::string text;
+    for (const Example& example : test::examples()) {
+        const auto made = export_camera(*find_export_target("c"), {example.camera},
+                                        {.single = single, .inverse = inverse});
+        text += made && (!inverse || is_searched(example)) ? made->text : "";
     }
-    Library(const Library&) = delete;
-    Library& operator=(const Library&) = delete;
-    ~Library() {
-        if (handle_ != nullptr) {
-            dlclose(handle_);
-        }
-        fs::remove_all(folder_);
-    }
+    return text;
+}
 
-    [[nodiscard]] bool compiled() const { return compiled_; }
+/// These functions in one library.
+class Library : public test::CompiledLibrary {
+public:
+    explicit Library(bool single, bool inverse = false)
+        : CompiledLibrary(text_of_all(single, inverse),
+                          "-x c -std=c99 -Wall -Wextra -Werror -Wconversion "
+                          "-Wno-float-conversion -pedantic") {}
 
     /// The position whose ray passes a point, and the distance.
     struct Found {
@@ -72,7 +51,7 @@ public:
                                             const analyse::V3d& point) const {
         using Find = int (*)(const double*, double, double, double, double*, double*);
         Found made;
-        const auto find = reinterpret_cast<Find>(dlsym(handle_, (example.name + "_find").c_str()));
+        const auto find = reinterpret_cast<Find>(symbol(example.name + "_find"));
         return find(&point.x, test::width, test::height, 0.0, made.position.data(),
                     &made.distance) != 0
                    ? std::optional(made)
@@ -83,7 +62,7 @@ public:
     [[nodiscard]] std::vector<ExportedRay> rays(const Example& example, bool lens) const {
         using Pinhole = int (*)(Real, Real, Real, Real, Real, Real*, Real*);
         using Lens = int (*)(Real, Real, Real, Real, Real, Real, Real, Real*, Real*);
-        void* symbol = dlsym(handle_, (example.name + "_ray").c_str());
+        void* const function = symbol(example.name + "_ray");
         std::vector<ExportedRay> made;
         for (const auto& [x, y] : test::points()) {
             Real o[3];
@@ -92,17 +71,12 @@ public:
             const auto py = static_cast<Real>(y);
             const auto w = static_cast<Real>(test::width);
             const auto h = static_cast<Real>(test::height);
-            const int valid = lens ? reinterpret_cast<Lens>(symbol)(px, py, w, h, 0, 0, 0, o, d)
-                                   : reinterpret_cast<Pinhole>(symbol)(px, py, w, h, 0, o, d);
+            const int valid = lens ? reinterpret_cast<Lens>(function)(px, py, w, h, 0, 0, 0, o, d)
+                                   : reinterpret_cast<Pinhole>(function)(px, py, w, h, 0, o, d);
             made.push_back({{o[0], o[1], o[2]}, {d[0], d[1], d[2]}, valid == 1});
         }
         return made;
     }
-
-private:
-    fs::path folder_;
-    bool compiled_ = false;
-    void* handle_ = nullptr;
 };
 
 // The C library computes both, so that all numbers are the same.

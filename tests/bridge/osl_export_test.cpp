@@ -7,24 +7,20 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 
-#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include "balcony/lang.hpp"
 #include "balcony/ray_difference.hpp"
 #include "bridge/text/c_like.hpp"
 #include "bridge/text/camera_formulas.hpp"
+#include "compiled_library.hpp"
 #include "examples.hpp"
 #include "osl_types.hpp"
 
 namespace balcony::bridge::osl_export_test {
 namespace {
 
-namespace fs = std::filesystem;
 using test::Example;
 
 bool in_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
@@ -77,52 +73,23 @@ std::string as_cpp(std::string text, const std::string& name) {
     return with_float_literals(head + parameters + body.substr(end));
 }
 
-fs::path own_folder(const char* name) {
-    const fs::path folder =
-        fs::temp_directory_path() / fmt::format("balcony-{}-{}", name, getpid());
-    fs::create_directories(folder);
-    return folder;
+std::string text_of(const std::vector<std::pair<std::string, std::string>>& shaders) {
+    std::string text = "#include \"" BALCONY_SOURCE_DIR
+                       "/tests/bridge/osl_types.hpp\"\n"
+                       "namespace osl { Host host; \n";
+    for (const auto& [name, shader] : shaders) {
+        text += as_cpp(shader, name);
+    }
+    return text + "}\n";
 }
 
 /// A library of shaders.
-class Library {
+class Library : public test::CompiledLibrary {
 public:
     explicit Library(const std::vector<std::pair<std::string, std::string>>& shaders)
-        : folder_(own_folder("osl")) {
-        const fs::path source = folder_ / "all.cpp";
-        std::ofstream text(source);
-        text << "#include \"" BALCONY_SOURCE_DIR "/tests/bridge/osl_types.hpp\"\n"
-             << "namespace osl { Host host; \n";
-        for (const auto& [name, shader] : shaders) {
-            text << as_cpp(shader, name);
-        }
-        text << "}\n";
-        text.close();
-        const std::string command =
-            fmt::format("{} -O0 -w -ffp-contract=off -shared -fPIC '{}' -o '{}'",
-                        BALCONY_C_COMPILER, source.string(), (folder_ / "all.so").string());
-        compiled_ = std::system(command.c_str()) == 0;
-        handle_ = dlopen((folder_ / "all.so").c_str(), RTLD_NOW | RTLD_LOCAL);
-    }
-    Library(const Library&) = delete;
-    Library& operator=(const Library&) = delete;
-    ~Library() {
-        if (handle_ != nullptr) {
-            dlclose(handle_);
-        }
-        fs::remove_all(folder_);
-    }
+        : CompiledLibrary(text_of(shaders), "-x c++ -w") {}
 
-    [[nodiscard]] bool compiled() const { return compiled_; }
-    [[nodiscard]] void* symbol(const std::string& name) const {
-        return dlsym(handle_, name.c_str());
-    }
     [[nodiscard]] osl::Host& host() const { return *static_cast<osl::Host*>(symbol("host")); }
-
-private:
-    fs::path folder_;
-    bool compiled_ = false;
-    void* handle_ = nullptr;
 };
 
 struct Shaded {

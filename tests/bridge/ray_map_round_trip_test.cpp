@@ -8,6 +8,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "../files/temporary_folder.hpp"
 #include "balcony/lang.hpp"
 #include "balcony/ray_difference.hpp"
 #include "balcony/ray_maps.hpp"
@@ -19,15 +20,6 @@ namespace fs = std::filesystem;
 
 class RoundTrip : public testing::TestWithParam<std::string> {
 protected:
-    RoundTrip() {
-        std::string pattern = (fs::temp_directory_path() / "balcony-XXXXXX").string();
-        folder_ = mkdtemp(pattern.data());
-    }
-    ~RoundTrip() override {
-        std::error_code ignored;
-        fs::remove_all(folder_, ignored);
-    }
-
     /// The camera of a map of a picture.
     [[nodiscard]] camera::Camera through_map(const camera::Picture& picture, std::size_t width,
                                              std::size_t height, const std::string& file) const {
@@ -42,12 +34,12 @@ protected:
             "map.cam", "camera map_of_it {\n map u = 0 .. 1, v = 0 .. 1\n eye ray_map(\"" + file +
                            "\")\n toward ray_map(\"" + file + "\", targets)\n}\n");
         lang::Workspace workspace;
-        auto made = workspace.make_camera(lang::CameraSource(text, folder_));
+        auto made = workspace.make_camera(lang::CameraSource(text, folder_.path()));
         EXPECT_TRUE(made) << to_text(made.diagnostics);
         return std::move(*made);
     }
 
-    fs::path folder_;
+    const files::TemporaryFolder folder_;
 };
 
 /// A pole of a panorama, where a whole row of the picture is one ray.

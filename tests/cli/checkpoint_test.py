@@ -13,7 +13,7 @@ import time
 import support
 
 # Takes seconds, and is written several times a second.
-PASSES = 1500
+PASSES = 700
 SLOW = ("render", "scene.obj", "-c", "my.cam:above", "--size", "200x150", "-s", str(PASSES),
         "--integrator", "preview", "-q")
 # scripts/nightly kills 500 times.
@@ -165,7 +165,7 @@ picture parts {
                 (("--filter", "box"), "--filter was 'blackman-harris' and is 'box'"),
                 (("--set", "size=2"), "--set was '' and is 'size=2'"),
                 (("--crop", "50x50+0+0"), "--crop was '' and is '50x50+0+0'"),
-                (("-s", "700"), f"--samples was '{PASSES}' and is '700'")):
+                (("-s", "900"), f"--samples was '{PASSES}' and is '900'")):
             self.refused(*SLOW, *words, "--resume", "-o", "p.exr", code=1, says=says,
                          helps="render without --resume")
         (self.folder / "my.cam").write_text(support.CAMERAS + "\n")

@@ -7,12 +7,12 @@
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <numbers>
 
 #include <OpenImageIO/imageio.h>
 
+#include "../files/temporary_folder.hpp"
 #include "balcony/data.hpp"
 
 namespace balcony::data::data_test {
@@ -22,18 +22,8 @@ namespace fs = std::filesystem;
 
 class Data : public testing::Test {
 protected:
-    Data() {
-        std::string pattern = (fs::temp_directory_path() / "balcony-XXXXXX").string();
-        folder_ = mkdtemp(pattern.data());
-    }
-    ~Data() override {
-        std::error_code ignored;
-        fs::remove_all(folder_, ignored);
-    }
-
     [[nodiscard]] File write(const std::string& name, const std::string& text) const {
-        std::ofstream(folder_ / name, std::ios::binary) << text;
-        return {name, folder_ / name, std::nullopt};
+        return {name, folder_.write(name, text), std::nullopt};
     }
 
     /// The numbers of a table row by row, with | between rows; what is said if there is an error.
@@ -67,7 +57,7 @@ protected:
         return read_grey_image({name, path, std::nullopt});
     }
 
-    fs::path folder_;
+    const files::TemporaryFolder folder_;
 };
 
 std::string first_message(const Diagnostics& said) {
@@ -78,35 +68,36 @@ std::string first_message(const Diagnostics& said) {
 
 TEST_F(Data, AFileIsLookedForInTheFolderFirst) {
     (void)write("vase.obj", "");
-    EXPECT_EQ(find_file("vase.obj", folder_)->path, folder_ / "vase.obj");
-    EXPECT_FALSE(find_file("vase.obj", folder_)->bytes);
+    EXPECT_EQ(find_file("vase.obj", folder_.path())->path, folder_ / "vase.obj");
+    EXPECT_FALSE(find_file("vase.obj", folder_.path())->bytes);
     EXPECT_TRUE(find_file("vase.obj", std::nullopt)->bytes);
     EXPECT_TRUE(find_file("vase.obj", folder_ / "nowhere")->bytes);
 }
 
 TEST_F(Data, AMissingFileGetsThePathAndTheNearestName) {
     (void)write("seeds.csv", "");
-    const auto missing = find_file("seed.csv", folder_);
+    const auto missing = find_file("seed.csv", folder_.path());
     ASSERT_FALSE(missing);
     EXPECT_EQ(first_message(missing.diagnostics), "there is no file and no built-in file named '" +
                                                       (folder_ / "seed.csv").string() + "'");
     EXPECT_EQ(missing.diagnostics[0].remedy, "did you mean 'seeds.csv'?");
-    EXPECT_EQ(find_file("vsae.obj", folder_).diagnostics[0].remedy, "did you mean 'vase.obj'?");
+    EXPECT_EQ(find_file("vsae.obj", folder_.path()).diagnostics[0].remedy,
+              "did you mean 'vase.obj'?");
     EXPECT_EQ(first_message(find_file("vsae.obj", std::nullopt).diagnostics),
               "there is no built-in file named 'vsae.obj'");
 }
 
 TEST_F(Data, AMissingEndingIsFound) {
     (void)write("corners.csv", "");
-    EXPECT_EQ(find_file("corners", folder_).diagnostics.front().remedy,
+    EXPECT_EQ(find_file("corners", folder_.path()).diagnostics.front().remedy,
               "did you mean 'corners.csv'?");
 }
 
 TEST_F(Data, AMissingFileIsAnError) {
-    EXPECT_EQ(first_message(find_file("", folder_).diagnostics), "this file name is empty");
-    EXPECT_TRUE(
-        first_message(find_file(".", folder_).diagnostics).ends_with("' is a folder, not a file"));
-    EXPECT_EQ(first_message(find_file("/dev/zero", folder_).diagnostics),
+    EXPECT_EQ(first_message(find_file("", folder_.path()).diagnostics), "this file name is empty");
+    EXPECT_TRUE(first_message(find_file(".", folder_.path()).diagnostics)
+                    .ends_with("' is a folder, not a file"));
+    EXPECT_EQ(first_message(find_file("/dev/zero", folder_.path()).diagnostics),
               "'/dev/zero' is a pipe or a device, not a file");
 }
 

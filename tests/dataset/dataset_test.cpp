@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 
+#include "../files/temporary_folder.hpp"
 #include "balcony/ray_maps.hpp"
 #include "support.hpp"
 
@@ -64,7 +66,7 @@ random = 2
         for (const auto& one : fs::recursive_directory_iterator(folder() / name)) {
             if (one.is_regular_file()) {
                 found[fs::relative(one.path(), folder() / name).string()] =
-                    test::bytes_of(one.path());
+                    files::bytes_of(one.path());
             }
         }
         return found;
@@ -118,7 +120,7 @@ TEST_F(Dataset, AnotherRecipeIsRefused) {
 // By the manifest alone: the text of the camera in the pose of a frame has the rays of its map.
 TEST_F(Dataset, TheManifestHasTheRays) {
     make(recipe(R"("rays", "valid")", R"("pinhole", "fisheye", "slit.cam")"), "set");
-    const json manifest = json::parse(test::bytes_of(folder() / "set/manifest.json"));
+    const json manifest = json::parse(files::bytes_of(folder() / "set/manifest.json"));
     std::map<std::string, std::string> texts;
     for (const json& camera : manifest["scenes"][0]["cameras"]) {
         texts[camera["name"]] = camera["text"];
@@ -164,7 +166,7 @@ TEST_F(Dataset, TheManifestHasTheRays) {
 // is none.
 TEST_F(Dataset, FlowAgreesWithReprojectedDepth) {
     make(recipe(R"("rays", "depth", "flow")", R"("pinhole")"), "set");
-    const json manifest = json::parse(test::bytes_of(folder() / "set/manifest.json"));
+    const json manifest = json::parse(files::bytes_of(folder() / "set/manifest.json"));
     const json& lens = manifest["scenes"][0]["cameras"][0]["intrinsics"];
     const json& frame = manifest["frames"][0];
     const json& next = manifest["frames"][frame["next"].get<std::size_t>()];
@@ -284,9 +286,9 @@ TEST_F(Dataset, AStopKeepsWhatIsFinished) {
 
 TEST_F(Dataset, IdsAreThoseOfTheScene) {
     make(recipe(R"("object", "material")", R"("fisheye")"), "set");
-    const json manifest = json::parse(test::bytes_of(folder() / "set/manifest.json"));
+    const json manifest = json::parse(files::bytes_of(folder() / "set/manifest.json"));
     EXPECT_EQ(manifest["scenes"][0]["objects"], (json{"floor", "ceiling", "walls", "box"}));
-    const std::string bytes = test::bytes_of(folder() / "set/room/object/fisheye-00000.npy");
+    const std::string bytes = files::bytes_of(folder() / "set/room/object/fisheye-00000.npy");
     const std::size_t begin = bytes.size() - 4 * width * height;
     std::set<std::uint32_t> ids;
     for (std::size_t i = begin; i < bytes.size(); i += 4) {

@@ -4,7 +4,6 @@
 
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <map>
 #include <memory>
@@ -16,6 +15,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "../files/temporary_folder.hpp"
 #include "balcony/dataset.hpp"
 #include "balcony/npy.hpp"
 
@@ -59,38 +59,23 @@ f 13 14 15 16
 /// A test with a folder of its own, in which the room is.
 class RoomTest : public testing::Test {
 protected:
-    void SetUp() override {
-        std::string pattern = testing::TempDir() + "balcony-dataset-XXXXXX";
-        folder_ = mkdtemp(pattern.data());
-        write("room.obj", room);
-    }
-    void TearDown() override {
-        std::error_code ignored;
-        std::filesystem::remove_all(folder_, ignored);
-    }
+    void SetUp() override { write("room.obj", room); }
 
-    void write(const std::string& name, std::string_view text) const {
-        std::ofstream(folder_ / name) << text;
-    }
-    [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+    void write(const std::string& name, std::string_view text) const { folder_.write(name, text); }
+    [[nodiscard]] const std::filesystem::path& folder() const { return folder_.path(); }
 
     [[nodiscard]] Result<Recipe> read(std::string text) const {
         return read_recipe(std::make_shared<const SourceText>("recipe.toml", std::move(text)),
-                           folder_);
+                           folder_.path());
     }
 
 private:
-    std::filesystem::path folder_;
+    const files::TemporaryFolder folder_;
 };
-
-[[nodiscard]] inline std::string bytes_of(const std::filesystem::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 /// The floats of an array of NumPy.
 [[nodiscard]] inline std::vector<float> floats_of(const std::filesystem::path& file) {
-    const std::string bytes = bytes_of(file);
+    const std::string bytes = files::bytes_of(file);
     const auto header = NpyHeader::read(bytes, file.string());
     EXPECT_TRUE(header) << file;
     std::vector<float> numbers((bytes.size() - header->size) / sizeof(float));

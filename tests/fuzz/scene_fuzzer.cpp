@@ -11,14 +11,12 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <span>
 #include <string_view>
 #include <vector>
 
-#include <unistd.h>
-
+#include "../files/temporary_folder.hpp"
 #include "../laws/scene_laws.hpp"
 #include "balcony/images.hpp"
 #include "balcony/scene.hpp"
@@ -67,35 +65,12 @@ void load(const fs::path& name, Bytes bytes) {
     }
 }
 
-// A folder that is there while the fuzzer runs.
-class Folder {
-public:
-    Folder()
-        : path_(fs::temp_directory_path() / ("balcony_scene_fuzzer_" + std::to_string(getpid()))) {
-        fs::create_directories(path_);
-        write("t.png", "");
-    }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-    ~Folder() {
-        std::error_code code;
-        fs::remove_all(path_, code);
-    }
-
-    void write(const char* name, std::string_view text) const {
-        std::ofstream(path_ / name, std::ios::binary) << text;
-    }
-    [[nodiscard]] fs::path file(const char* name) const { return path_ / name; }
-
-private:
-    fs::path path_;
-};
-
 void load_obj(std::string_view text) {
-    static const Folder folder;
+    static const files::TemporaryFolder folder;
+    [[maybe_unused]] static const fs::path texture = folder.write("t.png", "");
     const std::size_t end = std::min(text.find("\n#mtl\n"), text.size());
     folder.write("m.mtl", text.substr(end));
-    load(folder.file("fuzz.obj"), {reinterpret_cast<const std::uint8_t*>(text.data()), end});
+    load(folder / "fuzz.obj", {reinterpret_cast<const std::uint8_t*>(text.data()), end});
 }
 
 constexpr std::string_view image_starts[] = {"\x89PNG", "\xff\xd8",     "RIFF", "II",

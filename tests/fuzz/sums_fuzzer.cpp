@@ -16,8 +16,7 @@
 #include <string>
 #include <vector>
 
-#include <unistd.h>
-
+#include "../files/temporary_folder.hpp"
 #include "balcony/shard.hpp"
 #include "demand.hpp"
 
@@ -46,20 +45,11 @@ const RenderFacts facts{{"samples", "4"}, {"scene", "#1234"}};
 // Files in a folder that is there while the fuzzer runs.
 class Files {
 public:
-    Files()
-        : folder_(fs::temp_directory_path() / ("balcony_sums_fuzzer_" + std::to_string(getpid()))),
-          film_(small_film()) {
-        fs::create_directories(folder_);
+    Files() : film_(small_film()) {
         keep(write_checkpoint(film_, {facts, {}}, {}, file(0)));
         for (const Shard shard : {Shard{0, 2}, Shard{1, 2}, Shard{0, 1}}) {
             keep(write_shard(film_, {shard, facts, {}, {.output = "a.png"}}, file(0)));
         }
-    }
-    Files(const Files&) = delete;
-    Files& operator=(const Files&) = delete;
-    ~Files() {
-        std::error_code code;
-        fs::remove_all(folder_, code);
     }
 
     [[nodiscard]] fs::path file(std::size_t number) const {
@@ -83,7 +73,7 @@ private:
                                 std::istreambuf_iterator<char>());
     }
 
-    fs::path folder_;
+    files::TemporaryFolder folder_;
     Film film_;
     std::vector<std::string> originals_;
 };

@@ -26,7 +26,10 @@ class SolveGuide(guide.GuideTest):
 
     @staticmethod
     def EDIT(line):
-        return line.replace("--samples 64 --denoise", "--samples 1")
+        """One sample is enough for pictures that nothing is measured in."""
+        line = line.replace("--samples 64 --denoise", "--samples 1")
+        is_plain = line.startswith("balcony render") and "--samples" not in line
+        return f"{line} --samples 1" if is_plain else line
 
     def test_the_facade_is_where_the_photo_has_it(self):
         self.assertIn("photo, 640 x 480 pixels: solved after",

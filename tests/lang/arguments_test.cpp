@@ -8,6 +8,7 @@
 
 #include <numbers>
 
+#include "../files/temporary_folder.hpp"
 #include "lang/build/stages.hpp"
 #include "support.hpp"
 
@@ -230,7 +231,7 @@ TEST(StageArguments, TooManyPointsAreOneError) {
 }
 
 TEST(StageArguments, PointsMayComeFromATable) {
-    const test::TemporaryFolder folder;
+    const files::TemporaryFolder folder;
     folder.write("points.csv", "x,y\n0,1\n2,30deg\n");
     folder.write("numbers.csv", "0,0,0.5\n1,1\n");
     const Read pairs =

@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "../files/temporary_folder.hpp"
 #include "support.hpp"
 
 namespace balcony::lang::bad_files_test {
@@ -76,7 +77,7 @@ std::string let(int i, std::string_view value) {
 // Files that do not belong in a repository.
 
 TEST(GeneratedBadFile, FiftyMegabytesAreRefusedUnread) {
-    const test::TemporaryFolder folder;
+    const files::TemporaryFolder folder;
     const fs::path file = folder.write("large.cam", "");
     fs::resize_file(file, 50'000'000);
     EXPECT_EQ(to_text(test::check(file)),
@@ -86,7 +87,7 @@ TEST(GeneratedBadFile, FiftyMegabytesAreRefusedUnread) {
 }
 
 TEST(GeneratedBadFile, ZeroBytesGiveOneError) {
-    const test::TemporaryFolder folder;
+    const files::TemporaryFolder folder;
     const fs::path file =
         folder.write("binary.cam", test::joined({"camera a {", std::string(5000, '\0')}));
     const Diagnostics said = test::check(file);
@@ -96,7 +97,7 @@ TEST(GeneratedBadFile, ZeroBytesGiveOneError) {
 }
 
 TEST(GeneratedBadFile, RubbishGivesOneError) {
-    const test::TemporaryFolder folder;
+    const files::TemporaryFolder folder;
     std::string rubbish;
     for (int i = 0; i < 10000; ++i) {
         rubbish += static_cast<char>(i * 37 % 255 + 1);
@@ -105,7 +106,7 @@ TEST(GeneratedBadFile, RubbishGivesOneError) {
 }
 
 TEST(GeneratedBadFile, AFolderIsNoFile) {
-    const test::TemporaryFolder folder;
+    const files::TemporaryFolder folder;
     const Diagnostics said = test::check(folder.path());
     ASSERT_EQ(said.size(), 1U);
     EXPECT_EQ(said[0].message,
@@ -113,7 +114,7 @@ TEST(GeneratedBadFile, AFolderIsNoFile) {
 }
 
 TEST(GeneratedBadFile, ADeviceIsNeverRead) {
-    const test::TemporaryFolder folder;
+    const files::TemporaryFolder folder;
     const fs::path file = folder.write("device.cam", "import \"/dev/zero\"\n");
     const Diagnostics said = test::check(file);
     ASSERT_FALSE(said.empty());
@@ -122,7 +123,7 @@ TEST(GeneratedBadFile, ADeviceIsNeverRead) {
 }
 
 TEST(GeneratedBadFile, NoLineOfAnotherKindOfFileIsShown) {
-    const test::TemporaryFolder folder;
+    const files::TemporaryFolder folder;
     folder.write("secrets", "root:x:0:0:secret\nname = secret\n");
     const Diagnostics said = test::check(folder.write("a.cam", "import \"secrets\"\n"));
     ASSERT_FALSE(said.empty());

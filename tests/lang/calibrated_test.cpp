@@ -8,6 +8,7 @@
 
 #include <cmath>
 
+#include "../files/temporary_folder.hpp"
 #include "support.hpp"
 
 namespace balcony::lang::calibrated_test {
@@ -33,7 +34,7 @@ const std::string size = "image_width: 640\nimage_height: 480\n";
 
 /// The camera of a file in a folder, or what is wrong with it.
 Result<Camera> from_file(const std::string& calibration, const std::string& call) {
-    const test::TemporaryFolder folder;
+    const files::TemporaryFolder folder;
     folder.write("calibration.yml", calibration);
     return make_camera(folder.write("my.cam", "camera my { eye " + call + " }"), "");
 }

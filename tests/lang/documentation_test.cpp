@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../files/temporary_folder.hpp"
 #include "small_image.hpp"
 #include "support.hpp"
 
@@ -27,7 +28,7 @@ std::size_t try_snippets(const std::filesystem::path& page) {
     for (std::size_t at = text.find(opening); at != std::string::npos;
          at = text.find(opening, at)) {
         at += opening.size();
-        const test::TemporaryFolder folder;
+        const files::TemporaryFolder folder;
         folder.write("lengths.cam", "let room_length = 9");
         folder.write("calibration.yml", calibration);
         folder.write("camchain.yml",

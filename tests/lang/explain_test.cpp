@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../files/temporary_folder.hpp"
 #include "balcony/catalogue.hpp"
 #include "support.hpp"
 
@@ -56,7 +57,7 @@ std::vector<std::string> written(const std::vector<Explanation::Step>& steps) {
 }  // namespace
 
 TEST(Explain, ListsStepsInTheOrderOfTheMachine) {
-    const test::TemporaryFolder folder;
+    const files::TemporaryFolder folder;
     const auto file = folder.write("a.cam",
                                    "camera a(r = 2, turn = 30deg) {\n"
                                    "    move rotate(z, turn)  // last but one\n"
@@ -81,7 +82,7 @@ TEST(Explain, ListsStepsInTheOrderOfTheMachine) {
 }
 
 TEST(Explain, GivesDefinitions) {
-    const test::TemporaryFolder folder;
+    const files::TemporaryFolder folder;
     const auto made = explanation_of(folder.write("a.cam",
                                                   "let unused = 1\n"
                                                   "let base = 2\n"
@@ -98,7 +99,7 @@ TEST(Explain, GivesDefinitions) {
 }
 
 TEST(Explain, DescribesLayers) {
-    const test::TemporaryFolder folder;
+    const files::TemporaryFolder folder;
     const auto made = explanation_of(folder.write("a.cam", nested_picture), "", {{"fade", "1/4"}});
     ASSERT_TRUE(made) << to_text(made.diagnostics);
     EXPECT_TRUE(made->is_picture);
@@ -126,7 +127,7 @@ TEST(Explain, DescribesLayers) {
 }
 
 TEST(Explain, ExplainsACameraOnceForTheSameParameters) {
-    const test::TemporaryFolder folder;
+    const files::TemporaryFolder folder;
     const auto made = explanation_of(folder.write("a.cam", nested_picture), "poster");
     ASSERT_TRUE(made) << to_text(made.diagnostics);
     std::vector<std::string> shown;

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "../files/temporary_folder.hpp"
 #include "support.hpp"
 
 namespace balcony::lang::functions_test {
@@ -148,7 +149,7 @@ TEST(Functions, AreWarnedAboutIfUnused) {
 }
 
 TEST(Functions, AreImported) {
-    const test::TemporaryFolder folder;
+    const files::TemporaryFolder folder;
     folder.write("shapes.cam", "let unit = 2  let doubled(x) = unit*x");
     const auto file = folder.write(
         "c.cam", test::joined({"import \"shapes.cam\"", camera_with, "doubled(3)) }"}));

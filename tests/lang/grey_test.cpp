@@ -8,6 +8,7 @@
 #include <array>
 #include <string>
 
+#include "../files/temporary_folder.hpp"
 #include "small_image.hpp"
 #include "support.hpp"
 
@@ -37,7 +38,7 @@ protected:
         return camera.diagnostics.empty() ? "" : camera.diagnostics.front().message;
     }
 
-    test::TemporaryFolder folder_;
+    files::TemporaryFolder folder_;
 };
 
 constexpr double rounding = 1e-7;  // Of values that are floats.

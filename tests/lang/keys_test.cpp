@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "../files/temporary_folder.hpp"
 #include "support.hpp"
 
 namespace balcony::lang::keys_test {
@@ -78,7 +79,7 @@ TEST(Keys, MayBeLists) {
 }
 
 TEST(Keys, MayBeInATable) {
-    const test::TemporaryFolder folder;
+    const files::TemporaryFolder folder;
     folder.write("path.csv", "time, x, y, z\n0, 0, 0, 1\n2, 4, 2, 1\n");
     folder.write("turn.csv", "0 0deg\n4 90deg\n");
     const auto file =

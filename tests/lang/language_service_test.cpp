@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "../files/temporary_folder.hpp"
 #include "balcony/language_service.hpp"
 #include "lang/syntax/parser.hpp"
 #include "lang/syntax/statement_rows.hpp"
@@ -329,7 +330,7 @@ TEST(LanguageService, FindsDeclarationsAndUses) {
 }
 
 TEST(LanguageService, FindsDeclarationsInImports) {
-    const test::TemporaryFolder folder;
+    const files::TemporaryFolder folder;
     folder.write("shared.cam", "let w = 2\ncamera near(gain = 1) { eye point(0, gain, 0) }\n");
     const auto declared = [&](const std::string& written) {
         const Marked marked("import \"shared.cam\"\n" + written);

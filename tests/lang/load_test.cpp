@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "../files/temporary_folder.hpp"
 #include "support.hpp"
 
 namespace balcony::lang::load_test {
@@ -107,7 +108,7 @@ TEST(Load, WrongOverridesAreErrors) {
 }
 
 TEST(Load, ImportsBringLetsAndCameras) {
-    const test::TemporaryFolder folder;
+    const files::TemporaryFolder folder;
     folder.write("lengths.cam", "let k = 3");
     folder.write("more.cam", "import \"lengths.cam\" let m = k + 1 camera more(r = m) " + plain);
     const auto file = folder.write("main.cam",
@@ -121,7 +122,7 @@ TEST(Load, ImportsBringLetsAndCameras) {
 }
 
 TEST(Load, TextsFindImportsInTheirFolder) {
-    const test::TemporaryFolder folder;
+    const files::TemporaryFolder folder;
     folder.write("lengths.cam", "let k = 3");
     const auto source = std::make_shared<const SourceText>(
         "text", "import \"lengths.cam\" camera a(r = k) " + plain);
@@ -189,7 +190,7 @@ TEST(Load, AMapIsNotTakenSilentlyForAnotherCamera) {
 }
 
 TEST(Load, KeywordsAreNoPartOfTheComment) {
-    const test::TemporaryFolder folder;
+    const files::TemporaryFolder folder;
     const auto file = folder.write(
         "a.cam",
         "// A use.\n//\n// Keywords: vr, 360.\ncamera a { map u = 0 .. 1, v = 0 .. 1 eye "
@@ -201,7 +202,7 @@ TEST(Load, KeywordsAreNoPartOfTheComment) {
 }
 
 TEST(Load, DescribesCameras) {
-    const test::TemporaryFolder folder;
+    const files::TemporaryFolder folder;
     const auto file = folder.write("a.cam",
                                    "// Not this.\n\n// First line,\n// second line.\n"
                                    "camera a(r = 1 + 2, turn = 30deg) " +

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../files/temporary_folder.hpp"
 #include "support.hpp"
 
 namespace balcony::lang::made_of_another_test {
@@ -69,7 +70,7 @@ TEST(MadeOfAnother, MayBeMadeOfOneThatIs) {
 TEST(MadeOfAnother, OfItsOwnNameIsMadeOfTheOneElsewhere) {
     expect_equal_rays(test::make("camera fisheye = fisheye(fov = 200deg)"),
                       fisheye({{"fov", "200deg"}}));
-    const test::TemporaryFolder folder;
+    const files::TemporaryFolder folder;
     folder.write("lens.cam",
                  "camera fisheye(width = 1) { map u = width .. -width, v = square eye plane }");
     const auto file =
@@ -130,7 +131,7 @@ TEST(MadeOfAnother, KeepsItsValuesInAScene) {
 }
 
 TEST(MadeOfAnother, IsDescribedWithItsValues) {
-    const test::TemporaryFolder folder;
+    const files::TemporaryFolder folder;
     const auto file = folder.write("a.cam",
                                    "// A wide one.\ncamera wide = fisheye(fov = 2*100deg)\n"
                                    "camera less = wide(fov = 99deg)\n");

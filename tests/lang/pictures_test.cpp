@@ -7,6 +7,7 @@
 
 #include <cmath>
 
+#include "../files/temporary_folder.hpp"
 #include "support.hpp"
 
 namespace balcony::lang::pictures_test {
@@ -168,7 +169,7 @@ TEST(Pictures, TheLastCameraOrPictureIsTheDefault) {
 }
 
 TEST(Pictures, AreDescribed) {
-    const test::TemporaryFolder folder;
+    const files::TemporaryFolder folder;
     const auto file = folder.write(
         "poster.cam",
         test::joined(

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../files/temporary_folder.hpp"
 #include "support.hpp"
 
 namespace balcony::lang::rewrite_test {
@@ -106,7 +107,7 @@ TEST(Rewrite, WhatIsElsewhereIsMadeOfIt) {
     const auto built_in = Workspace().with_values("pinhole", "", {{"fov", "50deg"}, {"pz", "2"}});
     ASSERT_TRUE(built_in) << to_text(built_in.diagnostics);
     EXPECT_EQ(*built_in, "camera pinhole = pinhole(fov = 50deg, pz = 2)\n");
-    const test::TemporaryFolder folder;
+    const files::TemporaryFolder folder;
     folder.write("lens.cam", file);
     const std::string text = "import \"lens.cam\"\ncamera own = wide";
     const auto path = folder.write("a.cam", text);

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../files/temporary_folder.hpp"
 #include "support.hpp"
 
 namespace balcony::lang::workspace_test {
@@ -19,7 +20,7 @@ constexpr const char* mesh_text =
     "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n";
 
 /// A camera that is made of files of every kind.
-fs::path write_camera(const test::TemporaryFolder& folder) {
+fs::path write_camera(const files::TemporaryFolder& folder) {
     folder.write("lengths.cam", "let far = 3\n");
     folder.write("path.csv", "0, 0\n1, 1\n2, 0\n");
     folder.write("wall.obj", mesh_text);
@@ -38,7 +39,7 @@ double height_of(const camera::Camera& camera) {
 }
 
 TEST(Workspace, ReadsEachFileOnce) {
-    const test::TemporaryFolder folder;
+    const files::TemporaryFolder folder;
     const fs::path file = write_camera(folder);
     Workspace workspace;
     const auto first = workspace.make_camera(file);
@@ -55,7 +56,7 @@ TEST(Workspace, ReadsEachFileOnce) {
 
 // Also those that do not exist, so that one sees them appear.
 TEST(Workspace, NamesTheFilesThatItReads) {
-    const test::TemporaryFolder folder;
+    const files::TemporaryFolder folder;
     const fs::path file = write_camera(folder);
     fs::remove(folder.path() / "lengths.cam");
     Workspace workspace;
@@ -77,7 +78,7 @@ TEST(Workspace, NamesTheFilesThatItReads) {
 }
 
 TEST(Workspace, NoticesChangesWhenAskedTo) {
-    const test::TemporaryFolder folder;
+    const files::TemporaryFolder folder;
     const auto camera = [](const char* radius) {
         return test::joined({"camera c { map u = 0deg .. 90deg, v = 0 .. 1  eye circle(", radius,
                              ") look tangent }"});
@@ -95,7 +96,7 @@ TEST(Workspace, NoticesChangesWhenAskedTo) {
 }
 
 TEST(Workspace, ReportsTheSameErrorsAgain) {
-    const test::TemporaryFolder folder;
+    const files::TemporaryFolder folder;
     const fs::path file = folder.write("a.cam", "camera c { eye spere(1) map u = 0 .. 1 = }");
     Workspace workspace;
     const std::string first = to_text(workspace.make_picture(file).diagnostics);

@@ -4,7 +4,6 @@
 // What stands at a point of the picture, and where a point of space appears.
 
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <numbers>
 #include <string>
@@ -12,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../files/temporary_folder.hpp"
 #include "balcony/inspect.hpp"
 
 namespace balcony::live::test::inspect_test {
@@ -42,7 +42,6 @@ picture twice {
 class InspectTest : public testing::Test {
 protected:
     void SetUp() override {
-        std::filesystem::create_directories(folder_);
         // The axes of the file have y upwards: its z is the camera's -y.
         std::ofstream(folder_ / "wall.mtl") << "newmtl red\nKd 0.8 0.1 0.1\n";
         std::ofstream(folder_ / "wall.obj")
@@ -53,7 +52,7 @@ protected:
         request.scene = (folder_ / "wall.obj").string();
         Result<app::PreparedScene> scene = app::PreparedScene::make(request);
         ASSERT_TRUE(scene) << to_text(scene.diagnostics);
-        inspector_.emplace(std::move(*scene), folder_);
+        inspector_.emplace(std::move(*scene), folder_.path());
     }
 
     void show(const std::string& text, std::vector<Value> values = {}) {
@@ -67,8 +66,7 @@ protected:
         return made && *made ? **made : Sight();
     }
 
-    std::filesystem::path folder_ =
-        std::filesystem::path(testing::TempDir()) / "balcony_inspect_test";
+    const files::TemporaryFolder folder_;
     std::optional<Inspector> inspector_;
     std::uint64_t change_ = 0;
 };

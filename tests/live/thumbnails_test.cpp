@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
-#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <mutex>
@@ -16,6 +15,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../files/temporary_folder.hpp"
 #include "balcony/thumbnails.hpp"
 
 namespace balcony::live::test::thumbnails_test {
@@ -26,7 +26,6 @@ using namespace std::chrono_literals;
 class ThumbnailsTest : public testing::Test {
 protected:
     void SetUp() override {
-        std::filesystem::create_directories(folder_);
         std::ofstream file(folder_ / "box.obj");
         for (int i = 0; i < 8; ++i) {
             file << "v " << (i & 1) * 4 << " " << (i >> 1 & 1) * 4 << " " << (i >> 2 & 1) * 4
@@ -57,8 +56,7 @@ protected:
                              [&](const Thumbnail& one) { return one.camera == camera; });
     }
 
-    std::filesystem::path folder_ =
-        std::filesystem::path(testing::TempDir()) / "balcony_thumbnails_test";
+    const files::TemporaryFolder folder_;
     std::mutex mutex_;
     std::condition_variable changed_;
     std::vector<Thumbnail> made_;

@@ -17,6 +17,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../files/temporary_folder.hpp"
 #include "balcony/display_pixels.hpp"
 #include "balcony/live.hpp"
 #include "balcony/prepared_scene.hpp"
@@ -119,7 +120,6 @@ private:
 class ViewTest : public testing::Test {
 protected:
     void SetUp() override {
-        std::filesystem::create_directories(folder_);
         std::ofstream(folder_ / "corner.mtl") << "newmtl red\nKd 0.8 0.1 0.1\n"
                                                  "newmtl blue\nKd 0.1 0.1 0.8\n";
         std::ofstream(folder_ / "corner.obj")
@@ -132,10 +132,10 @@ protected:
     [[nodiscard]] std::unique_ptr<View> open(const Options& options = {}) {
         Result<app::PreparedScene> scene = app::PreparedScene::make(request_);
         EXPECT_TRUE(scene) << to_text(scene.diagnostics);
-        return View::make(std::move(*scene), request_, told_.observer(), options, folder_);
+        return View::make(std::move(*scene), request_, told_.observer(), options, folder_.path());
     }
 
-    std::filesystem::path folder_ = std::filesystem::path(testing::TempDir()) / "balcony_view_test";
+    const files::TemporaryFolder folder_;
     app::Request request_;
     Told told_;
 };
@@ -393,7 +393,7 @@ TEST_F(ViewTest, TakesOtherSizes) {
 
 // Changes that come before the scene is there are shown as one.
 TEST_F(ViewTest, LoadsItsScene) {
-    const std::unique_ptr<View> view = View::load(request_, told_.observer(), {}, folder_);
+    const std::unique_ptr<View> view = View::load(request_, told_.observer(), {}, folder_.path());
     static_cast<void>(view->change({.text = fisheye}));
     const std::uint64_t last = view->change({.size = {{64, 48}}});
     const std::vector<SceneState> states = told_.loading();
@@ -408,7 +408,7 @@ TEST_F(ViewTest, LoadsItsScene) {
 
 TEST_F(ViewTest, TellsWhyAnotherSceneIsNotLoaded) {
     request_.scene = (folder_ / "missing.obj").string();
-    const std::unique_ptr<View> view = View::load(request_, told_.observer(), {}, folder_);
+    const std::unique_ptr<View> view = View::load(request_, told_.observer(), {}, folder_.path());
     static_cast<void>(view->change({.text = fisheye}));
     const std::vector<SceneState> states = told_.loading();
     ASSERT_FALSE(states.empty());
@@ -420,7 +420,7 @@ TEST_F(ViewTest, LoadsASceneAgainWhenItsFileChanges) {
     const std::filesystem::path file = folder_ / "late.obj";
     std::filesystem::remove(file);
     request_.scene = file.string();
-    const std::unique_ptr<View> view = View::load(request_, told_.observer(), {}, folder_);
+    const std::unique_ptr<View> view = View::load(request_, told_.observer(), {}, folder_.path());
     const std::uint64_t change = view->change({.text = fisheye, .size = {{64, 48}}});
     EXPECT_TRUE(has_errors(told_.loading().back().diagnostics));
     EXPECT_FALSE(view->scene());

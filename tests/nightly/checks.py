@@ -29,9 +29,10 @@ def plates(keep):
     return "all plates"
 
 
-# What renders, reads scenes, searches or writes in parallel.
-THREADED = (r"^((analyse|app|bridge|images|live|render|scene|solve)\."
-            r"|cli\.(animate|check|checkpoint|interruption|shards|studio\w*|warp|watch)$)")
+# What starts threads: pictures, batches of points, maps of rays, searches for cameras, views.
+THREADED = (r"^((app|dataset|live|python|render|solve)\.|analyse\.Locate$"
+            r"|bridge\.([A-Za-z]*/)?(RayArrays|RayColumns|RayGrid|RayMap|RayStream|RoundTrip|StMap)"
+            r"|cli\.(animate|check|checkpoint|dataset|interruption|shards|studio[a-z_]*|warp|watch)$)")
 
 # Of each fuzzer: 60 for a thorough run, 5 for a look at all of them.
 FUZZ_MINUTES = float(os.environ.get("BALCONY_FUZZ_MINUTES", 20))

@@ -13,6 +13,7 @@
 #include <OpenImageIO/imagebufalgo.h>
 #include <gtest/gtest.h>
 
+#include "../files/temporary_folder.hpp"
 #include "balcony/checkpoint.hpp"
 #include "support.hpp"
 
@@ -29,23 +30,13 @@ scene::Scene two_walls() {
     return scene;
 }
 
-std::string bytes_of(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 class Bands : public testing::Test {
 protected:
     Renderer renderer = *Renderer::make(std::make_shared<scene::Scene>(two_walls()));
     camera::Camera camera = pinhole(view_down_z(0.0, 0.0, 1.0));
     Settings settings = request(150, 200, "preview", 3);
     FilmLayout layout{.width = 150, .height = 200};
-    fs::path folder = fs::path(testing::TempDir()) /
-                      (std::string("balcony-bands-") +
-                       testing::UnitTest::GetInstance()->current_test_info()->name());
-
-    void SetUp() override { fs::create_directories(folder); }
-    void TearDown() override { fs::remove_all(folder); }
+    const files::TemporaryFolder folder;
 
     [[nodiscard]] Result<TiledFile> reopened_file(const Film& film,
                                                   std::vector<std::uint64_t> hashes) const {
@@ -74,7 +65,7 @@ protected:
         auto file = TiledFile::create(folder / name, bands->film(), window());
         render_all(*bands, *file);
         EXPECT_FALSE(fs::exists(TiledFile::unfinished(folder / name)));
-        return bytes_of(folder / name);
+        return files::bytes_of(folder / name);
     }
 
     [[nodiscard]] Region window() const {
@@ -134,7 +125,7 @@ TEST_F(Bands, AnotherProcessContinuesToTheSameFile) {
     ASSERT_TRUE(file) << to_text(file.diagnostics);
     EXPECT_EQ(file->rows(), 1U);
     render_all(*bands, *file);
-    EXPECT_EQ(bytes_of(folder / "p.exr"), whole);
+    EXPECT_EQ(files::bytes_of(folder / "p.exr"), whole);
 }
 
 // Two rows of tiles are in the file; the third is in progress.
@@ -153,7 +144,7 @@ TEST_F(Bands, WhatIsDamagedIsRenderedAgain) {
         finished = *file->flush(bands->film());
     }
     ASSERT_EQ(finished.size(), 2U);
-    const std::string sound = bytes_of(part);
+    const std::string sound = files::bytes_of(part);
     const auto rows_of = [&](const std::string& bytes) {
         std::ofstream(part, std::ios::binary) << bytes;
         auto bands = BandedRender::make(renderer, camera, settings, layout, 64);
@@ -161,7 +152,7 @@ TEST_F(Bands, WhatIsDamagedIsRenderedAgain) {
         const std::size_t rows = file->rows();
         EXPECT_TRUE(rows == 0 || bands->begin_at(rows * file_tile_side));
         render_all(*bands, *file);
-        EXPECT_EQ(bytes_of(folder / "p.exr"), whole);
+        EXPECT_EQ(files::bytes_of(folder / "p.exr"), whole);
         return rows;
     };
     EXPECT_EQ(rows_of(sound), 2U);

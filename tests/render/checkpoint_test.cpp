@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../files/temporary_folder.hpp"
 #include "balcony/shard.hpp"
 #include "film/sums/film_arrays.hpp"
 #include "support.hpp"
@@ -76,19 +77,11 @@ std::vector<std::byte> bytes_of(const Film& film) {
 
 class Checkpoint : public testing::Test {
 protected:
-    fs::path file = fs::path(testing::TempDir()) /
-                    (std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) +
-                     ".checkpoint");
-    void TearDown() override { fs::remove(file); }
+    const files::TemporaryFolder folder;
+    const fs::path file = folder / "p.checkpoint";
 
-    [[nodiscard]] std::string contents() const {
-        std::ifstream stream(file, std::ios::binary);
-        return {std::istreambuf_iterator<char>(stream), {}};
-    }
-    void replace(const std::string& bytes) const {
-        std::ofstream(file, std::ios::binary)
-            .write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    }
+    [[nodiscard]] std::string contents() const { return files::bytes_of(file); }
+    void replace(const std::string& bytes) const { folder.write(file.filename(), bytes); }
 };
 
 TEST_F(Checkpoint, EverythingReturns) {
@@ -259,7 +252,7 @@ TEST_F(Checkpoint, ALinkInPlaceOfItsTemporaryFileIsNotFollowed) {
 }
 
 TEST_F(Checkpoint, APlaceThatCannotBeWrittenIsAnError) {
-    const fs::path nowhere = fs::path(testing::TempDir()) / "no such folder" / "p.checkpoint";
+    const fs::path nowhere = folder / "no such folder" / "p.checkpoint";
     const Diagnostics found = write_checkpoint(filled_film(), facts, {}, nowhere);
     ASSERT_TRUE(has_errors(found));
     EXPECT_NE(found.front().message.find("No such file or directory"), std::string::npos);

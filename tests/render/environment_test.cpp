@@ -14,6 +14,7 @@
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
+#include "../files/temporary_folder.hpp"
 #include "images/luminance.hpp"
 #include "shading/lights/light_set.hpp"
 #include "support.hpp"
@@ -25,12 +26,12 @@ namespace fs = std::filesystem;
 
 constexpr double degree = std::numbers::pi / 180.0;
 
-// A picture file of three floats per pixel, removed at the end.
+// A picture file of three floats per pixel.
 class PictureFile {
 public:
     PictureFile(const std::string& name, int width, int height, const std::vector<float>& values,
                 int orientation = 1)
-        : path_(fs::path(testing::TempDir()) / name) {
+        : path_(folder_ / name) {
         const auto output = OIIO::ImageOutput::create(path_.string());
         const bool floats = path_.extension() != ".png";
         OIIO::ImageSpec spec(width, height, 3,
@@ -39,13 +40,11 @@ public:
         EXPECT_TRUE(output && output->open(path_.string(), spec) &&
                     output->write_image(OIIO::TypeDesc::FLOAT, values.data()) && output->close());
     }
-    ~PictureFile() { fs::remove(path_); }
-    PictureFile(const PictureFile&) = delete;
-    PictureFile& operator=(const PictureFile&) = delete;
 
     [[nodiscard]] const fs::path& path() const { return path_; }
 
 private:
+    files::TemporaryFolder folder_;
     fs::path path_;
 };
 

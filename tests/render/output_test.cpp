@@ -14,6 +14,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include "../files/temporary_folder.hpp"
 #include "film/files/exr_channels.hpp"
 #include "film/sums/film_arrays.hpp"
 #include "support.hpp"
@@ -25,18 +26,12 @@ namespace fs = std::filesystem;
 
 class Output : public testing::Test {
 protected:
-    Output() {
-        std::string pattern = (fs::temp_directory_path() / "balcony-render-XXXXXX").string();
-        folder_ = ::mkdtemp(pattern.data());
-    }
-    ~Output() override { fs::remove_all(folder_); }
-
     [[nodiscard]] std::size_t files() const {
         return static_cast<std::size_t>(
-            std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
+            std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator()));
     }
 
-    fs::path folder_;
+    const files::TemporaryFolder folder_;
 };
 
 // Two objects, one hidden from half of the picture, rays in the upper part only.

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../files/temporary_folder.hpp"
 #include "balcony/bands.hpp"
 #include "balcony/probe.hpp"
 #include "support.hpp"
@@ -56,8 +57,8 @@ std::vector<Film> broken_films() {
 
 TEST(Preconditions, FilmsThatDoNotHoldTogetherAreErrors) {
     const Renderer renderer = renderer_of(one_wall());
-    const fs::path file = fs::path(testing::TempDir()) / "balcony_broken_film.exr";
-    fs::remove(file);
+    const files::TemporaryFolder folder;
+    const fs::path file = folder / "film.exr";
     const std::vector<Film> films = broken_films();
     for (const Film& film : films) {
         SCOPED_TRACE(&film - films.data());

@@ -19,6 +19,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "../files/temporary_folder.hpp"
 #include "support.hpp"
 
 namespace balcony::render::test::texture_library_test {
@@ -42,14 +43,13 @@ scene::Scene textured(std::vector<std::uint8_t> png, Wrap wrap = Wrap::repeat) {
     return scene;
 }
 
-// With an image file of this format; the values are those of the pixels, row by row.
-scene::Scene textured_by(const std::string& name, int side, OIIO::TypeDesc format,
+// With this image file of a format; the values are those of the pixels, row by row.
+scene::Scene textured_by(const std::filesystem::path& file, int side, OIIO::TypeDesc format,
                          const std::vector<float>& values) {
-    const std::string file = ::testing::TempDir() + name;
-    const auto output = OIIO::ImageOutput::create(file);
+    const auto output = OIIO::ImageOutput::create(file.string());
     const int channels = static_cast<int>(values.size()) / (side * side);
-    EXPECT_TRUE(output->open(file, OIIO::ImageSpec(side, side, channels, format)));
-    EXPECT_TRUE(output->write_image(OIIO::TypeDesc::FLOAT, values.data()) && output->close());
+    EXPECT_TRUE(output->open(file.string(), OIIO::ImageSpec(side, side, channels, format)) &&
+                output->write_image(OIIO::TypeDesc::FLOAT, values.data()) && output->close());
     scene::Scene scene = textured({});
     scene.textures[0].file = file;
     return scene;
@@ -263,13 +263,9 @@ TEST(TextureLibrary, AFolderThatCannotHoldTheFileIsAWarning) {
     const scene::Scene scene = grey(8, 8, [](int, int) { return 0.5; });
     Diagnostics warnings;
     const TextureLibrary library(scene, 0, warnings);
-    const Color4f found = library.look_up(scene::TextureIndex(0), TextureEncoding::linear,
-                                          {V2f(0.5F), V2f(0.0F), V2f(0.0F)});
-    if (before != nullptr) {
-        setenv("TMPDIR", restored.c_str(), 1);
-    } else {
-        unsetenv("TMPDIR");
-    }
+    const TextureFootprint middle{V2f(0.5F), V2f(0.0F), V2f(0.0F)};
+    const Color4f found = library.look_up(scene::TextureIndex(0), TextureEncoding::linear, middle);
+    before != nullptr ? setenv("TMPDIR", restored.c_str(), 1) : unsetenv("TMPDIR");
     EXPECT_EQ(found, Color4f(1.0F, 1.0F, 1.0F, 1.0F));
     warnings = library.warnings();
     ASSERT_EQ(warnings.size(), 1U);
@@ -432,7 +428,8 @@ TEST(TextureLibrary, AnImageOfFloatsHasHalfFloats) {
     std::uniform_real_distribution<float> value(0.0F, 40.0F);
     std::vector<float> values(std::size_t{4} * 16 * 16);
     std::generate(values.begin(), values.end(), [&] { return value(random); });
-    const scene::Scene scene = textured_by("balcony_float.exr", 16, OIIO::TypeDesc::FLOAT, values);
+    const files::TemporaryFolder folder;
+    const scene::Scene scene = textured_by(folder / "float.exr", 16, OIIO::TypeDesc::FLOAT, values);
     const Sampled held(scene, plenty);
     for (std::size_t i = 0; i < values.size(); i += 4) {
         const auto half = [&](std::size_t k) { return float{Imath::half(values[i + k])}; };
@@ -452,7 +449,8 @@ TEST(TextureLibrary, AnImageOf16BitsIsDecodedFromSrgb) {
     for (std::size_t i = 0; i < values.size(); ++i) {
         values[i] = static_cast<float>(i) / static_cast<float>(values.size() - 1);
     }
-    scene::Scene scene = textured_by("balcony_deep.png", 16, OIIO::TypeDesc::UINT16, values);
+    const files::TemporaryFolder folder;
+    scene::Scene scene = textured_by(folder / "deep.png", 16, OIIO::TypeDesc::UINT16, values);
     std::swap(scene.materials[0].roughness_texture, scene.materials[0].base_color_texture);
     scene.materials[0].base_color_texture.encoding = TextureEncoding::srgb;
     Diagnostics warnings;
@@ -475,14 +473,14 @@ TEST(TextureLibrary, ValuesThatAreNotFiniteAreZeroWithAWarning) {
     values[0] = std::nanf("");
     values[3] = HUGE_VALF;
     values[6] = 1e30F;
-    const scene::Scene scene =
-        textured_by("balcony_nan_texture.exr", side, OIIO::TypeDesc::FLOAT, values);
+    const files::TemporaryFolder folder;
+    const scene::Scene scene = textured_by(folder / "nan.exr", side, OIIO::TypeDesc::FLOAT, values);
     for (const std::size_t memory : {plenty, std::size_t{0}}) {
         Diagnostics warnings;
         const TextureLibrary library(scene, memory, warnings);
-        const auto texel = [&](float x) {
+        const auto texel = [&](std::size_t x) {
             return library.look_up(scene::TextureIndex(0), TextureEncoding::linear,
-                                   {{(x + 0.5F) / side, 0.5F / side}, V2f(0.0F), V2f(0.0F)});
+                                   texel_of(x, side));
         };
         EXPECT_EQ(texel(0).r, 0.0F);
         EXPECT_EQ(texel(1).r, 0.0F);

@@ -5,12 +5,12 @@
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <numeric>
 
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
+#include "../files/temporary_folder.hpp"
 #include "support.hpp"
 
 namespace balcony::render::test::texture_test {
@@ -195,15 +195,13 @@ TEST(Texture, WithoutItsTextureAMaterialHasItsFactors) {
 
 // A file that changes after the renderer was made tells when it is decoded.
 TEST(Texture, IsDecodedAtOnceOrOnDemand) {
-    const std::string file = ::testing::TempDir() + "balcony_changing_texture.png";
+    const files::TemporaryFolder folder;
     const auto write = [&](std::uint8_t grey) {
         const auto png = encode_png(8, 8, 3, [grey](int, int) { return Pixel(3, grey); });
-        std::ofstream(file, std::ios::binary)
-            .write(reinterpret_cast<const char*>(png.data()),
-                   static_cast<std::streamsize>(png.size()));
+        folder.write("texture.png", {reinterpret_cast<const char*>(png.data()), png.size()});
     };
     scene::Scene scene = textured_wall({});
-    scene.textures[0].file = file;
+    scene.textures[0].file = folder / "texture.png";
     const Request asked = request(4, 4, "preview");
     for (const bool on_demand : {false, true}) {
         write(0);
@@ -222,7 +220,8 @@ TEST(Texture, IsDecodedAtOnceOrOnDemand) {
 // The header is whole, the pixels are not.
 TEST(Texture, PixelsThatCannotBeReadAreAWarningOnce) {
     constexpr int side = 256;
-    const std::string file = ::testing::TempDir() + "balcony_cut_texture.exr";
+    const files::TemporaryFolder folder;
+    const std::string file = (folder / "texture.exr").string();
     const auto output = OIIO::ImageOutput::create(file);
     ASSERT_TRUE(output->open(file, OIIO::ImageSpec(side, side, 3, OIIO::TypeDesc::HALF)));
     std::vector<float> values(std::size_t{3} * side * side);

@@ -29,16 +29,16 @@ using BadFiles = SceneFiles;
 
 TEST_F(BadFiles, MissingFileSuggestsTheNearest) {
     write("room.glb", one_triangle().glb());
-    const auto result = load(directory / "rooom.glb");
+    const auto result = load(folder / "rooom.glb");
     EXPECT_TRUE(fails(result, "there is no file '"));
-    EXPECT_TRUE(says(result, "did you mean '" + (directory / "room.glb").string() + "'?"));
-    EXPECT_TRUE(fails(load(directory / "nowhere" / "x.glb"), "there is no file '"));
+    EXPECT_TRUE(says(result, "did you mean '" + (folder / "room.glb").string() + "'?"));
+    EXPECT_TRUE(fails(load(folder / "nowhere" / "x.glb"), "there is no file '"));
 }
 
 TEST_F(BadFiles, DirectoryAndUnknownExtension) {
-    EXPECT_TRUE(fails(load(directory), "is a folder, not a file"));
-    std::filesystem::create_directory(directory / "folder.glb");
-    EXPECT_TRUE(fails(load(directory / "folder.glb"), "is a folder"));
+    EXPECT_TRUE(fails(load(folder.path()), "is a folder, not a file"));
+    std::filesystem::create_directory(folder / "folder.glb");
+    EXPECT_TRUE(fails(load(folder / "folder.glb"), "is a folder"));
     const auto unknown = load(write("scene.txt", "words"));
     EXPECT_TRUE(fails(unknown, "scene.txt' is not supported"));
     EXPECT_TRUE(says(unknown, "formats .glb, .gltf, .obj, .ply, .stl"));
@@ -222,10 +222,10 @@ TEST_F(BadFiles, ExternalBuffer) {
     Json json = gltf.json;
     json["buffers"] = {{{"uri", "data.bin"}, {"byteLength", gltf.buffer.size()}}};
     const auto missing = load(write("scene.gltf", json.dump()));
-    EXPECT_TRUE(fails(
-        missing, "there is no file '" + (directory / "data.bin").string() + "', which contains"));
+    EXPECT_TRUE(fails(missing,
+                      "there is no file '" + (folder / "data.bin").string() + "', which contains"));
     write("data.bin", gltf.buffer.substr(0, 20));
-    EXPECT_TRUE(fails(load(directory / "scene.gltf"), "it contains 20 of "));
+    EXPECT_TRUE(fails(load(folder / "scene.gltf"), "it contains 20 of "));
 }
 
 TEST_F(BadFiles, MissingBufferBesideTheScene) {
@@ -234,12 +234,12 @@ TEST_F(BadFiles, MissingBufferBesideTheScene) {
     const auto file = write("textured_box.gltf", json.dump());
     EXPECT_FALSE(says(load(file), "did you mean"));
     write("texturd_box.bin", "abc");
-    EXPECT_TRUE(says(load(file), "did you mean '" + (directory / "texturd_box.bin").string()));
+    EXPECT_TRUE(says(load(file), "did you mean '" + (folder / "texturd_box.bin").string()));
 }
 
 // A scene cannot name files outside its folder, however they are written.
 TEST_F(BadFiles, FilesOutsideTheFolderAreNotRead) {
-    std::filesystem::create_directories(directory / "scene" / "maps");
+    std::filesystem::create_directories(folder / "scene" / "maps");
     write("secret.bin", std::string(64, 'x'));
     write("scene/maps/inside.png", "");
     Gltf gltf = one_triangle();
@@ -251,7 +251,7 @@ TEST_F(BadFiles, FilesOutsideTheFolderAreNotRead) {
         gltf.json["images"] = {{{"uri", uri}}};
         return load(write("scene/scene.glb", gltf.glb()));
     };
-    const std::string absolute = (directory / "secret.bin").string();
+    const std::string absolute = (folder / "secret.bin").string();
     for (const std::string& uri :
          {std::string("../secret.bin"), std::string("..\\secret.bin"), absolute,
           std::string("maps/../../secret.bin"), std::string("%2e%2e/secret.bin"),

@@ -250,7 +250,7 @@ TEST_F(GltfGeometry, FormatIsStated) {
     EXPECT_EQ(scene->format, "glTF 2.0 binary");
     EXPECT_EQ(scene->axes, Axes::y_up);
     EXPECT_EQ(scene->meters_per_unit, 1.0);
-    EXPECT_EQ(scene->name, (directory / "scene.glb").string());
+    EXPECT_EQ(scene->name, (folder / "scene.glb").string());
 
     Json json = gltf.json;
     json["buffers"] = {{{"uri", "the%20data.bin"}, {"byteLength", gltf.buffer.size()}}};

@@ -88,7 +88,7 @@ TEST_F(GltfMaterials, TexturesAreFilesOrBytes) {
     ASSERT_TRUE(scene) << said(scene);
     const Material& material = scene->materials[0];
     const Texture& wood = scene->textures[material.base_color_texture.index.value()];
-    EXPECT_EQ(wood.file, directory / "wood.png");
+    EXPECT_EQ(wood.file, folder / "wood.png");
     EXPECT_TRUE(wood.bytes->empty());
     EXPECT_EQ(wood.wrap_u, Wrap::clamp);
     EXPECT_EQ(wood.wrap_v, Wrap::mirror);

@@ -91,7 +91,7 @@ TEST_F(Mutations, OfNumbersNeverCrash) {
     write("data.bin", gltf.buffer);
     complete["buffers"] = {{{"uri", "data.bin"}, {"byteLength", gltf.buffer.size()}}};
     const std::string whole = complete.dump();
-    const std::filesystem::path name = directory / "scene.gltf";
+    const std::filesystem::path name = folder / "scene.gltf";
     ASSERT_TRUE(load_bytes(name, whole)) << said(load_bytes(name, whole));
     std::mt19937 random(7);
     int loaded = 0;
@@ -118,7 +118,7 @@ protected:
         for (int i = 0; i < files_tried; ++i) {
             const std::size_t spared = i % 2 == 0 ? header : 0;
             const auto result = load_bytes(
-                directory / name, whole.substr(0, spared) + mutate(whole.substr(spared), random));
+                folder / name, whole.substr(0, spared) + mutate(whole.substr(spared), random));
             ASSERT_EQ(laws::broken_law(result), "") << i;
             loaded += result ? 1 : 0;
         }

@@ -316,9 +316,8 @@ TEST_F(Obj, FilesOfTheSceneAreNamed) {
     write("a.mtl", "newmtl m\nmap_Kd lost.png\n");
     const auto scene = load_obj("mtllib a.mtl\n" + std::string(square) + "usemtl m\nf 1 2 3\n");
     ASSERT_TRUE(scene) << said(scene);
-    EXPECT_EQ(scene->files,
-              (std::vector<std::filesystem::path>{directory / "a.mtl", directory / "lost.png",
-                                                  directory / "scene.obj"}));
+    EXPECT_EQ(scene->files, (std::vector<std::filesystem::path>{
+                                folder / "a.mtl", folder / "lost.png", folder / "scene.obj"}));
 }
 
 TEST_F(Obj, NegativeIndicesCountBackwards) {
@@ -328,7 +327,7 @@ TEST_F(Obj, NegativeIndicesCountBackwards) {
 }
 
 TEST_F(Obj, TexturesAreFoundBesideTheLibrary) {
-    std::filesystem::create_directory(directory / "maps");
+    std::filesystem::create_directory(folder / "maps");
     write("maps/wood grain.png", "");
     write("maps/m.mtl",
           "newmtl wood\nmap_Kd -clamp on -s 1 1 1 wood grain.png\n"
@@ -337,7 +336,7 @@ TEST_F(Obj, TexturesAreFoundBesideTheLibrary) {
                                 "usemtl wood\nf 1 2 3\nusemtl lost\nf 1 3 4\n");
     ASSERT_TRUE(scene) << said(scene);
     ASSERT_EQ(scene->textures.size(), 1U);
-    EXPECT_EQ(scene->textures[0].file, directory / "maps" / "wood grain.png");
+    EXPECT_EQ(scene->textures[0].file, folder / "maps" / "wood grain.png");
     EXPECT_EQ(scene->textures[0].wrap_u, Wrap::clamp);
     EXPECT_TRUE(says(scene, "material 'lost': its texture is skipped: there is no file '"));
     EXPECT_EQ(material_of(*scene, 1).base_color, Color3f(0.5F));

@@ -4,7 +4,6 @@
 #include "scene_files.hpp"
 
 #include <cstring>
-#include <fstream>
 
 namespace balcony::scene::testing {
 
@@ -111,24 +110,8 @@ Gltf one_triangle() {
     return gltf;
 }
 
-SceneFiles::SceneFiles() {
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    directory = std::filesystem::path(::testing::TempDir()) /
-                (std::string("balcony_") + test->test_suite_name() + "_" + test->name());
-    std::filesystem::remove_all(directory);
-    std::filesystem::create_directories(directory);
-}
-
-SceneFiles::~SceneFiles() {
-    std::error_code code;
-    std::filesystem::remove_all(directory, code);
-}
-
 std::filesystem::path SceneFiles::write(const std::string& name, std::string_view bytes) const {
-    const std::filesystem::path file = directory / name;
-    std::ofstream(file, std::ios::binary)
-        .write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    return file;
+    return folder.write(name, bytes);
 }
 
 Result<Scene> SceneFiles::load_glb(const Gltf& gltf) const {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Small scene files for tests, written into a directory of the test's own.
+// Small scene files for tests, written into a folder of the test's own.
 
 #include <cstdint>
 #include <filesystem>
@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "../files/temporary_folder.hpp"
 #include "balcony/scene.hpp"
 
 namespace balcony::scene::testing {
@@ -48,17 +49,14 @@ public:
 /// One triangle in one node named "node".
 [[nodiscard]] Gltf one_triangle();
 
-/// A fresh directory for each test, with helpers to load what is written there.
+/// A new folder for each test, with helpers to load what is written there.
 class SceneFiles : public ::testing::Test {
 protected:
-    SceneFiles();
-    ~SceneFiles() override;
-
     std::filesystem::path write(const std::string& name, std::string_view bytes) const;
     [[nodiscard]] Result<Scene> load_glb(const Gltf& gltf) const;
     [[nodiscard]] Result<Scene> load_obj(std::string_view text) const;
 
-    std::filesystem::path directory;
+    const files::TemporaryFolder folder;
 };
 
 /// All messages and remedies, one a line.

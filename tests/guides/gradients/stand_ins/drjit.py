@@ -14,17 +14,15 @@ def _binary(name):
         kind = next(type(a) for a in (*(a for a in operands if isinstance(a, Array) and a.KIND == "f"),
                                       *operands) if isinstance(a, Array))
         values = [kind.of(a) for a in operands]
-        with np.errstate(all="ignore"):
-            y = function(*values)
-            return kind(y, [(a, d(*values, y)) for a, d in zip(operands, derivatives)
-                            if isinstance(a, Array) and a.learns])
+        y = function(*values)
+        return kind(y, [(a, d(*values, y)) for a, d in zip(operands, derivatives)
+                        if isinstance(a, Array) and a.learns])
     return lambda a, b: NotImplemented if isinstance(b, Vector) else call(a, b)
 
 
 def _comparison(function):
     def call(a, b):
-        with np.errstate(all="ignore"):
-            return a.BOOL(function(_value(a), _value(b)))
+        return a.BOOL(function(_value(a), _value(b)))
     return call
 
 
@@ -48,8 +46,7 @@ class Array(Taped):
 
     @classmethod
     def of(cls, a):
-        with np.errstate(all="ignore"):
-            return np.asarray(_value(a)).astype(cls.TYPE)
+        return np.asarray(_value(a)).astype(cls.TYPE)
 
     __add__ = __radd__ = _binary("add")
     __mul__ = __rmul__ = _binary("multiply")
@@ -98,9 +95,8 @@ def _unary(name):
     def call(a):
         if not isinstance(a, Array):
             return float(function(a))
-        with np.errstate(all="ignore"):
-            y = function(a.value)
-            return type(a)(y, [(a, derivative(a.value, y))] if a.learns else ())
+        y = function(a.value)
+        return type(a)(y, [(a, derivative(a.value, y))] if a.learns else ())
     return call
 
 

@@ -5,6 +5,9 @@ and of Dr.Jit are made of."""
 
 import numpy as np
 
+# Neither of them warns of results that are no numbers.
+np.seterr(all="ignore")
+
 # Functions of one number, and their derivatives by it at x with the value y.
 ELEMENTARY = {
     "negative": (np.negative, lambda x, y: -np.ones_like(x)),
@@ -88,14 +91,13 @@ def gradients(root, seed, product):
     multiplies a gradient by a derivative."""
     found = {id(root): np.asarray(seed)}
     order = topological(root)
-    with np.errstate(all="ignore"):
-        for node in reversed(order):
-            gradient = found.get(id(node))
-            if gradient is None:
-                continue
-            for parent, factor in node.parents:
-                part = factor(gradient) if callable(factor) else product(gradient, factor)
-                part = reduced(np.asarray(part), parent.value.shape)
-                old = found.get(id(parent))
-                found[id(parent)] = part if old is None else old + part
+    for node in reversed(order):
+        gradient = found.get(id(node))
+        if gradient is None:
+            continue
+        for parent, factor in node.parents:
+            part = factor(gradient) if callable(factor) else product(gradient, factor)
+            part = reduced(np.asarray(part), parent.value.shape)
+            old = found.get(id(parent))
+            found[id(parent)] = part if old is None else old + part
     return [(node, found[id(node)]) for node in order if id(node) in found]

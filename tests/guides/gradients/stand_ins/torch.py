@@ -57,6 +57,9 @@ def _category(dtype):
 def _common(operands):
     """The dtype of a result: tensors with dimensions decide, then those without, then numbers; the latter
     only if they are of a higher category."""
+    first, *others = operands
+    if is_tensor(first) and all(is_tensor(a) and a.dtype == first.dtype for a in others):
+        return first.dtype
     tensors = [a for a in operands if is_tensor(a)]
     numbers = [{"b": bool, "i": int64, "f": float32}[np.asarray(a).dtype.kind]
                for a in operands if not is_tensor(a)]
@@ -87,9 +90,8 @@ def _unary(name):
 
     def call(a):
         x = a.value if name in ("negative", "abs") else a.value.astype(_floating(a.dtype), copy=False)
-        with np.errstate(all="ignore"):
-            y = function(x)
-            return _made(y, [(a, derivative(x, y))] if a.learns else [])
+        y = function(x)
+        return _made(y, [(a, derivative(x, y))] if a.learns else [])
     return call
 
 
@@ -99,18 +101,16 @@ def _binary(name):
     def call(*operands):
         dtype = _common(operands)
         values = _values(operands, _floating(dtype) if name == "divide" else dtype)
-        with np.errstate(all="ignore"):
-            y = function(*values)
-            return _made(y, [(a, d(*values, y)) for a, d in zip(operands, derivatives)
-                             if is_tensor(a) and a.learns])
+        y = function(*values)
+        return _made(y, [(a, d(*values, y)) for a, d in zip(operands, derivatives)
+                         if is_tensor(a) and a.learns])
     return call
 
 
 def _comparison(function):
     def call(a, b):
         dtype = _common((a, b))
-        with np.errstate(all="ignore"):
-            return Tensor(function(*_values((a, b), dtype)))
+        return Tensor(function(*_values((a, b), dtype)))
     return call
 
 
@@ -185,8 +185,7 @@ class Tensor(Taped):
         return self.to(float64)
 
     def long(self):
-        with np.errstate(all="ignore"):
-            return Tensor(self.value.astype(int64))
+        return Tensor(self.value.astype(int64))
 
     def detach(self):
         return Tensor(self.value)
