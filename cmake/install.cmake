@@ -13,7 +13,7 @@ set_target_properties(balcony_all PROPERTIES EXPORT_NAME balcony)
 target_link_libraries(balcony_all INTERFACE ${layers})
 
 # All that is installed, to be built without tests and benchmarks.
-add_custom_target(installed DEPENDS balcony image_module ${layers})
+add_custom_target(installed DEPENDS balcony image_module proj_module ${layers})
 
 install(TARGETS balcony_all ${layers} EXPORT balconyTargets
     ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")

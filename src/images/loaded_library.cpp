@@ -1,11 +1,7 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-#include <filesystem>
-
-#include <dlfcn.h>
-
-#include "base/installed_file.hpp"
+#include "base/loaded_module.hpp"
 #include "images/image_library.hpp"
 
 namespace balcony::images {
@@ -13,22 +9,14 @@ namespace balcony::images {
 namespace {
 
 Result<const ImageLibrary*> load() {
-    const Result<std::filesystem::path> file =
-        installed_file(BALCONY_MODULE_FOLDER, BALCONY_MODULE, "reads and writes images");
-    if (!file) {
-        return file.diagnostics;
+    const Result<void*> entry = function_of_module(
+        BALCONY_MODULE_FOLDER, BALCONY_MODULE, "balcony_image_library", "reads and writes images",
+        "install the package of OpenImageIO, or build Balcony again for the version that is "
+        "installed");
+    if (!entry) {
+        return entry.diagnostics;
     }
-    // Never closed, since OpenImageIO has threads of its own.
-    void* const module = dlopen(file->c_str(), RTLD_LAZY | RTLD_LOCAL);
-    void* const entry = module != nullptr ? dlsym(module, "balcony_image_library") : nullptr;
-    if (entry == nullptr) {
-        const char* const reason = dlerror();
-        return incomplete_installation(
-            reason != nullptr ? reason : file->string(),
-            "install the package of OpenImageIO, or build Balcony again for the version that is "
-            "installed");
-    }
-    return reinterpret_cast<const ImageLibrary* (*)()>(entry)();
+    return reinterpret_cast<const ImageLibrary* (*)()>(*entry)();
 }
 
 }  // namespace

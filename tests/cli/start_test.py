@@ -1,7 +1,7 @@
 # Balcony: rendering through extended cameras.
 # SPDX-License-Identifier: Apache-2.0
 """What the command loads: OpenImageIO with the first image that is no PNG or JPEG file, or EXR file to
-be written, and not before."""
+be written, and not before; PROJ with the first camera that is a map."""
 
 import os
 import shutil
@@ -57,7 +57,16 @@ class Start(support.CommandTest):
                       ("render", "painted.obj", "-W", "8", "-s", "1", "-o", "painted.png"),
                       ("check", "masked.cam")):
             with self.subTest(words):
-                self.assertNotIn("libOpenImageIO", self.libraries(*words))
+                said = self.libraries(*words)
+                self.assertNotIn("libOpenImageIO", said)
+                self.assertNotIn("libproj", said)
+
+    def test_maps_load_proj(self):
+        for words in (("check", "robin"), ("rays", "robin", "-W", "8", "-o", "rays.npy")):
+            with self.subTest(words):
+                said = self.libraries(*words)
+                self.assertIn("libproj", said)
+                self.assertNotIn("libOpenImageIO", said)
 
     def test_images_load_it(self):
         for words in (("render", "scene.obj", "-W", "8", "-s", "1", "-o", "picture.webp"),
@@ -98,8 +107,21 @@ class Installation(support.CommandTest):
         self.assertEqual(self.run_copy("render", "scene.obj", "-W", "8", "-s", "1", "-q",
                                        "-o", "picture.png"), (0, ""))
 
-    def module(self):
-        return next(Path(support.BALCONY).parent.glob("balcony_images-*.so"))
+    def module(self, name="images"):
+        return next(Path(support.BALCONY).parent.glob(f"balcony_{name}-*.so"))
+
+    def test_without_the_module_of_maps(self):
+        shutil.copy(support.BALCONY, self.balcony)
+        name = self.module("proj").name
+        for text in (None, "no library"):
+            if text:
+                (self.balcony.parent / name).write_text(text)
+            code, said = self.run_copy("check", "robin")
+            self.assertEqual(code, 3, said)
+            self.assertIn("the installation is incomplete: ", said)
+            self.assertIn(name, said)
+            self.assertIn("PROJ" if text else "install Balcony again", said)
+            self.assertEqual(self.run_copy("check", "panorama")[0], 0)
 
     def test_without_the_module(self):
         shutil.copy(support.BALCONY, self.balcony)

@@ -28,12 +28,13 @@ run("${consumer}/consumer")
 run("${consumer}/consumer_of_cameras")
 run("${consumer}/consumer_of_images")
 
-# The command finds its module wherever the prefix is.
+# The command finds its modules wherever the prefix is.
 set(moved "${FOLDER}/moved")
 file(REMOVE_RECURSE "${moved}")
 file(RENAME "${prefix}" "${moved}")
 file(WRITE "${moved}/scene.obj" "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
 run("${moved}/bin/balcony" render "${moved}/scene.obj" --size 8x8 -s 1 -q -o "${moved}/picture.jpg")
+run("${moved}/bin/balcony" check robin)
 file(REMOVE "${moved}/scene.obj" "${moved}/picture.jpg")
 file(RENAME "${moved}" "${prefix}")
 

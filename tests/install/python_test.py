@@ -40,7 +40,7 @@ class InstalledModule(unittest.TestCase):
         files = {path.name for path in (self.folder / "balcony").iterdir()}
         modules = {name for name in files if name.endswith(".so")}
         self.assertEqual({name.split("-")[0].split(".")[0] for name in modules},
-                         {"_balcony", "balcony_images"})
+                         {"_balcony", "balcony_images", "balcony_proj"})
         sources = {path.name for path in (guide.REPOSITORY / "python" / "balcony").iterdir()}
         self.assertEqual(files - modules, sources - {"__pycache__"})
         self.assertEqual([path.name for path in self.folder.iterdir()], ["balcony"])

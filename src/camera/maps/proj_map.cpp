@@ -8,9 +8,9 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <proj.h>
 
 #include "balcony/names.hpp"
+#include "camera/maps/proj/functions.hpp"
 
 namespace balcony::camera::maps {
 
@@ -29,9 +29,12 @@ bool contains(const std::array<const char*, count>& names, std::string_view name
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+// Of a PROJ that is there: a map is made by it, and nothing else here is called before.
+const ProjFunctions& proj() { return **proj_functions(); }
+
 std::vector<std::string> map_names() {
     std::vector<std::string> names;
-    for (const PJ_OPERATIONS* row = proj_list_operations(); row->id != nullptr; ++row) {
+    for (const PJ_OPERATIONS* row = proj().list_operations(); row->id != nullptr; ++row) {
         if (!contains(no_maps, row->id) && !contains(coordinates, row->id)) {
             names.emplace_back(row->id);
         }
@@ -41,7 +44,7 @@ std::vector<std::string> map_names() {
 
 // The last line of PROJ's description names the parameters: "Conic, Sph&Ell\n\tlat_1= and lat_2=".
 std::string parameters_of(std::string_view projection) {
-    for (const PJ_OPERATIONS* row = proj_list_operations(); row->id != nullptr; ++row) {
+    for (const PJ_OPERATIONS* row = proj().list_operations(); row->id != nullptr; ++row) {
         const std::string_view description = *row->descr;
         const std::size_t equals = description.find('=');
         if (row->id == projection && equals != std::string_view::npos) {
@@ -84,14 +87,17 @@ SpherePoint sphere_point_of(const Direction& d) {
     return {std::atan2(d.y, d.x), std::atan2(d.z, std::hypot(d.x, d.y))};
 }
 
-void ProjMap::Destroy::operator()(pj_ctx* context) const { proj_context_destroy(context); }
-void ProjMap::Destroy::operator()(PJconsts* projection) const { proj_destroy(projection); }
+void ProjMap::Destroy::operator()(pj_ctx* context) const { proj().context_destroy(context); }
+void ProjMap::Destroy::operator()(PJconsts* projection) const { proj().destroy(projection); }
 
 Result<std::shared_ptr<const ProjMap>> ProjMap::make(const Definition& definition) {
     const std::string& name = definition.projection;
     if (contains(coordinates, name)) {
         return error(fmt::format("'{}' gives longitude and latitude, which are not a map", name),
                      {}, R"(write "eqc", the map with longitude and latitude as x and y)");
+    }
+    if (const auto& functions = proj_functions(); !functions) {
+        return functions.diagnostics;
     }
     const std::vector<std::string> names = map_names();
     if (contains(no_maps, name)) {
@@ -102,15 +108,15 @@ Result<std::shared_ptr<const ProjMap>> ProjMap::make(const Definition& definitio
         return unknown(name);
     }
     const auto made = std::make_shared<ProjMap>();
-    made->context_.reset(proj_context_create());
-    proj_log_level(made->context_.get(), PJ_LOG_NONE);
-    made->projection_.reset(proj_create(made->context_.get(), definition.text().c_str()));
+    made->context_.reset(proj().context_create());
+    proj().log_level(made->context_.get(), PJ_LOG_NONE);
+    made->projection_.reset(proj().create(made->context_.get(), definition.text().c_str()));
     made->radius_ = fixed_radius(name);
     if (!made->projection_) {
-        const int problem = proj_context_errno(made->context_.get());
-        return rejected(definition, proj_context_errno_string(made->context_.get(), problem));
+        const int problem = proj().context_errno(made->context_.get());
+        return rejected(definition, proj().context_errno_string(made->context_.get(), problem));
     }
-    if (proj_pj_info(made->projection_.get()).has_inverse == 0) {
+    if (proj().pj_info(made->projection_.get()).has_inverse == 0) {
         return error(fmt::format("PROJ has no inverse of the map projection '{}'", name), {},
                      "choose a similar projection that has one: docs/maps.md lists them by class");
     }
@@ -119,10 +125,11 @@ Result<std::shared_ptr<const ProjMap>> ProjMap::make(const Definition& definitio
 
 std::optional<MapPoint> ProjMap::operator()(const SpherePoint& point) const {
     PJ* projection = projection_.get();
-    proj_errno_reset(projection);
-    const PJ_COORD at =
-        proj_trans(projection, PJ_FWD, proj_coord(point.longitude, point.latitude, 0.0, 0.0));
-    if (proj_errno(projection) != 0 || !std::isfinite(at.xy.x) || !std::isfinite(at.xy.y)) {
+    proj().errno_reset(projection);
+    PJ_COORD given{};
+    given.lp = {point.longitude, point.latitude};
+    const PJ_COORD at = proj().trans(projection, PJ_FWD, given);
+    if (proj().errno_of(projection) != 0 || !std::isfinite(at.xy.x) || !std::isfinite(at.xy.y)) {
         return std::nullopt;
     }
     return MapPoint{at.xy.x / radius_, at.xy.y / radius_};

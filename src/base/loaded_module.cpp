@@ -1,0 +1,30 @@
+// Balcony: rendering through extended cameras.
+// SPDX-License-Identifier: Apache-2.0
+
+#include "base/loaded_module.hpp"
+
+#include <utility>
+
+#include <dlfcn.h>
+
+namespace balcony {
+
+Result<void*> function_of_module(const std::filesystem::path& folder,
+                                 const std::filesystem::path& name, const char* function,
+                                 std::string_view purpose, std::string remedy) {
+    const Result<std::filesystem::path> file = installed_file(folder, name, purpose);
+    if (!file) {
+        return file.diagnostics;
+    }
+    // Never closed: OpenImageIO, for one, has threads of its own.
+    void* const module = dlopen(file->c_str(), RTLD_LAZY | RTLD_LOCAL);
+    void* const found = module != nullptr ? dlsym(module, function) : nullptr;
+    if (found == nullptr) {
+        const char* const reason = dlerror();
+        return incomplete_installation(reason != nullptr ? reason : file->string(),
+                                       std::move(remedy));
+    }
+    return found;
+}
+
+}  // namespace balcony
