@@ -73,12 +73,26 @@ def _common(operands):
 
 
 def _made(value, parents=()):
-    learnt = tuple((a, factor) for a, factor in parents if is_tensor(a) and a.learns)
-    return Tensor(value, learnt if is_grad_enabled() else ())
+    if not parents or not _learning[-1]:
+        return Tensor(value)
+    return Tensor(value, tuple((a, factor) for a, factor in parents if is_tensor(a) and a.learns))
 
 
 def _values(operands, dtype):
     return [(a.value if is_tensor(a) else np.asarray(a)).astype(dtype, copy=False) for a in operands]
+
+
+def _alike(a, b):
+    """The values of two operands as they are, or None: two tensors of one dtype, or one of floats with a
+    number, as most operands are."""
+    if type(a) is Tensor:
+        x = a.value
+        if type(b) is Tensor:
+            return (x, b.value) if x.dtype == b.value.dtype else None
+        return (x, np.asarray(b, x.dtype)) if x.dtype.kind == "f" and type(b) in (float, int) else None
+    if type(a) in (float, int) and type(b) is Tensor and b.value.dtype.kind == "f":
+        return np.asarray(a, b.value.dtype), b.value
+    return None
 
 
 def _floating(dtype):
@@ -99,9 +113,13 @@ def _binary(name):
     function, *derivatives = BINARY[name]
 
     def call(*operands):
-        dtype = _common(operands)
-        values = _values(operands, _floating(dtype) if name == "divide" else dtype)
+        values = _alike(*operands)
+        if values is None or (name == "divide" and values[0].dtype.kind != "f"):
+            dtype = _common(operands)
+            values = _values(operands, _floating(dtype) if name == "divide" else dtype)
         y = function(*values)
+        if not _learning[-1]:
+            return Tensor(y)
         return _made(y, [(a, d(*values, y)) for a, d in zip(operands, derivatives)
                          if is_tensor(a) and a.learns])
     return call
@@ -109,8 +127,7 @@ def _binary(name):
 
 def _comparison(function):
     def call(a, b):
-        dtype = _common((a, b))
-        return Tensor(function(*_values((a, b), dtype)))
+        return Tensor(function(*(_alike(a, b) or _values((a, b), _common((a, b))))))
     return call
 
 
@@ -208,7 +225,7 @@ class Tensor(Taped):
         return _made(self.value.reshape(shape), [(self, lambda g: g.reshape(own))])
 
     def clip(self, low, high):
-        return Tensor(np.clip(self.value, low, high))
+        return Tensor(np.minimum(np.maximum(self.value, low), high))
 
     def all(self, dim):
         return Tensor(self.value.all(dim))
@@ -330,7 +347,7 @@ def logical_not(a):
 
 
 def nan_to_num(a):
-    return Tensor(np.nan_to_num(a.value))
+    return Tensor(a.value if np.isfinite(a.value).all() else np.nan_to_num(a.value))
 
 
 def hypot(a, b):
