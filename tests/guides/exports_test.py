@@ -4,7 +4,9 @@
 """The NumPy functions and the GLSL functions of all examples of cameras, run by NumPy and by a
 browser's WebGL 2.
 
-Usage: exports_test.py BALCONY REPOSITORY WRITE_EXPORTS
+Usage: exports_test.py BALCONY REPOSITORY EXPORTS
+
+EXPORTS is the folder that write_exports wrote.
 """
 
 import http.server
@@ -19,7 +21,7 @@ import threading
 import unittest
 from pathlib import Path
 
-WRITE_EXPORTS = Path(sys.argv.pop(3)).resolve()
+EXPORTS = Path(sys.argv.pop(3)).resolve()
 
 from guide import main, python_with, skip  # noqa: E402 (reads the other arguments)
 from rays import MAGNIFYING, pixels_between  # noqa: E402
@@ -204,8 +206,7 @@ class ExportsTest(unittest.TestCase):
     def setUpClass(cls):
         cls.folder = Path(tempfile.mkdtemp(prefix="balcony-exports-"))
         cls.addClassCleanup(shutil.rmtree, cls.folder)
-        subprocess.run([WRITE_EXPORTS, cls.folder], check=True)
-        cls.exports = json.loads((cls.folder / "exports.json").read_text())
+        cls.exports = json.loads((EXPORTS / "exports.json").read_text())
 
     def compare(self, made, tolerance):
         """The largest difference in pixels; every camera must keep to the tolerance."""
@@ -223,14 +224,14 @@ class ExportsTest(unittest.TestCase):
 
     def test_numpy(self):
         python = python_with("numpy")
-        done = subprocess.run([python, "-c", RUN_NUMPY, self.folder], check=True,
+        done = subprocess.run([python, "-c", RUN_NUMPY, EXPORTS], check=True,
                               stdout=subprocess.PIPE)
         made = json.loads(done.stdout)
         self.assertGreaterEqual(len(made) + 3, len(self.exports["examples"]), "all but meshes")
         self.compare(made, 1e-6)
 
     def test_numpy_finds_points_where_balcony_locates_them(self):
-        done = subprocess.run([python_with("numpy"), "-c", FIND_NUMPY, self.folder], check=True,
+        done = subprocess.run([python_with("numpy"), "-c", FIND_NUMPY, EXPORTS], check=True,
                               stdout=subprocess.PIPE)
         wanted, found = 0, 0
         for name, places in json.loads(done.stdout).items():
@@ -249,7 +250,7 @@ class ExportsTest(unittest.TestCase):
     def shaded(self, name, python):
         """The rays of an OSL shader as OSL computes them."""
         width, height = self.exports["width"], self.exports["height"]
-        text = (self.folder / "osl" / f"{name}.osl").read_text().replace(
+        text = (EXPORTS / "osl" / f"{name}.osl").read_text().replace(
             'getattribute("cam:image_resolution", resolution);',
             f"resolution = vector({width}, {height}, 0);")
         cycles = CYCLES.replace("WIDTH", f"{width:.1f}").replace("HEIGHT", f"{height:.1f}")
@@ -295,7 +296,7 @@ class ExportsTest(unittest.TestCase):
         return made
 
     def test_glsl(self):
-        texts = {name: [(self.folder / "glsl" / f"{name}.glsl").read_text(), entry["lens"]]
+        texts = {name: [(EXPORTS / "glsl" / f"{name}.glsl").read_text(), entry["lens"]]
                  for name, entry in self.exports["examples"].items()
                  if "glsl" in entry.get("languages", ())}
         small = {name: text for name, text in texts.items() if len(text[0]) < TOO_LARGE}

@@ -4,9 +4,9 @@
 """The PyTorch functions and the Mitsuba sensors of all examples of cameras: their rays, and their gradients
 beside the exact derivatives of Balcony.
 
-Usage: gradients_test.py BALCONY REPOSITORY WRITE_EXPORTS
+Usage: gradients_test.py BALCONY REPOSITORY EXPORTS
 
-The folder gradients/stand_ins has what stands for PyTorch where it is not installed, and for Mitsuba.
+EXPORTS is the folder that write_exports wrote. The folder gradients/stand_ins has what stands for PyTorch where it is not installed, and for Mitsuba.
 """
 
 import json
@@ -19,7 +19,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-WRITE_EXPORTS = Path(sys.argv.pop(3)).resolve()
+EXPORTS = Path(sys.argv.pop(3)).resolve()
 
 import guide  # noqa: E402 (reads the other arguments)
 from rays import MAGNIFYING, pixels_between  # noqa: E402
@@ -53,9 +53,8 @@ class GradientsTest(unittest.TestCase):
     def setUpClass(cls):
         cls.folder = Path(tempfile.mkdtemp(prefix="balcony-gradients-"))
         cls.addClassCleanup(shutil.rmtree, cls.folder)
-        subprocess.run([WRITE_EXPORTS, cls.folder], check=True)
-        cls.exports = json.loads((cls.folder / "exports.json").read_text())["examples"]
-        run("torch_rays.py", cls.folder, cls.folder / "torch.json", stand_ins=TORCH is None)
+        cls.exports = json.loads((EXPORTS / "exports.json").read_text())["examples"]
+        run("torch_rays.py", EXPORTS, cls.folder / "torch.json", stand_ins=TORCH is None)
         made = json.loads((cls.folder / "torch.json").read_text())
         cls.made = made["examples"]
         print(f"PyTorch is {made['torch']}")
@@ -169,7 +168,7 @@ class GradientsTest(unittest.TestCase):
 
     def test_mitsuba(self):
         output = self.folder / "mitsuba.json"
-        run("mitsuba_rays.py", self.folder, output, stand_ins=True)
+        run("mitsuba_rays.py", EXPORTS, output, stand_ins=True)
         made = json.loads(output.read_text())
         self.assertGreaterEqual(len(made) + 3, len(self.exports), "all but meshes")
         self.compare({name: [one and one["ray"] for one in rays] for name, rays in made.items()},

@@ -4,7 +4,9 @@
 """The functions for POV-Ray of all examples of cameras, evaluated by POV-Ray; and pictures by the
 user_defined camera of POV-Ray 3.8, where that is the one on the PATH.
 
-Usage: povray_functions_test.py BALCONY REPOSITORY WRITE_EXPORTS
+Usage: povray_functions_test.py BALCONY REPOSITORY EXPORTS
+
+EXPORTS is the folder that write_exports wrote.
 """
 
 import json
@@ -17,7 +19,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-WRITE_EXPORTS = Path(sys.argv.pop(3)).resolve()
+EXPORTS = Path(sys.argv.pop(3)).resolve()
 
 import guide  # noqa: E402 (reads the other arguments)
 import png  # noqa: E402
@@ -45,8 +47,7 @@ class Functions(unittest.TestCase):
 
     def test_povray_computes_our_rays(self):
         """All cameras in one scene: their names do not collide."""
-        subprocess.run([WRITE_EXPORTS, self.folder], check=True)
-        exports = json.loads((self.folder / "exports.json").read_text())
+        exports = json.loads((EXPORTS / "exports.json").read_text())
         width, height = exports["width"], exports["height"]
         examples = {name: entry for name, entry in exports["examples"].items()
                     if "pov" in entry.get("languages", ())}
@@ -55,7 +56,7 @@ class Functions(unittest.TestCase):
                  '#fopen Rays "rays.txt" write']
         for name in examples:
             # POV-Ray 3.7 knows the functions, but not the camera.
-            text = (self.folder / "pov" / f"{name}.inc").read_text()
+            text = (EXPORTS / "pov" / f"{name}.inc").read_text()
             scene.append(text if VERSION >= (3, 8) else text[:text.rindex("#declare")])
             pov = name[0].upper() + name[1:]
             values = [f"str({pov}_{part}({axis}, {pov}_column(X), {pov}_row(Y)), 0, 17)"

@@ -62,11 +62,13 @@ json rays_json(const Example& example) {
 // for cameras whose text is not too long.
 json located_json(const Example& example, const json& rays) {
     json all = json::array();
+    if (example.camera.operations() >= 3000) {
+        return all;
+    }
     const auto locator =
         analyse::Locator::make(camera::Picture(example.camera).with_fit(camera::Fit::stretch),
                                bridge::test::width, bridge::test::height);
-    for (std::size_t i = 0; locator && example.camera.operations() < 3000 && i < rays.size();
-         i += 10) {
+    for (std::size_t i = 0; locator && i < rays.size(); i += 10) {
         if (rays[i].is_null()) {
             continue;
         }
@@ -156,7 +158,7 @@ int main(int argc, char** argv) {
             const auto text =
                 export_camera(target, {example.camera}, {.inverse = !entry["located"].empty()});
             if (text) {
-                std::filesystem::create_directory(folder / target.name);
+                std::filesystem::create_directories(folder / target.name);
                 std::ofstream(folder / target.name / (example.name + std::string(target.ending)))
                     << text->text;
                 entry["languages"].push_back(target.name);
