@@ -73,7 +73,7 @@ class Documentation(support.CommandTest):
                 # The last option of a kind counts, so these make the page's picture small.
                 size = ("-W", "24") if "-W" in words else ("--size", "24x16")
                 small = (*size, "--samples", "1") if words[0] in ("render", "animate") else ()
-                small = size if words[0] in ("blend", "demo") else small
+                small = size if words[0] in ("blend", "demo", "rays", "stmap", "warp") else small
                 if words[0] == "merge" and words[1].endswith(".mp4") and not shutil.which("ffmpeg"):
                     continue
                 if words[0] == "animate" or (words[0] == "draw" and "--frames" in words):
