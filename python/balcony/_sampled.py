@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 from collections.abc import Callable
 from typing import TYPE_CHECKING, NamedTuple
@@ -25,7 +26,7 @@ class Sampled(NamedTuple):
     """Columns and rows of the samples."""
     angle_error: float
     """The largest angle between a ray of the camera and that of the function midway between the samples, in
-    radians; NaN for arrays, between whose rays nothing is known."""
+    radians; NaN for arrays, between whose rays nothing is known, and where both have no ray midway."""
     origin_error: float
     """The same for the distance of their origins, in scene units."""
 
@@ -75,6 +76,10 @@ def from_rays(rays: Callable | tuple[np.ndarray, ...], file: str | os.PathLike, 
         if tolerance is None or angle <= tolerance:
             return Sampled(camera, (columns, rows), angle, distance)
         if 2 * max(columns, rows) > _LARGEST:
+            if math.isnan(angle):
+                raise ValueError(f"the error of {columns} x {rows} rays cannot be measured: nowhere midway between "
+                                 "them have both the function and the camera a ray; close the gaps between its "
+                                 "rays, or leave out 'tolerance'")
             raise ValueError(f"{columns} x {rows} rays are off by up to {angle:.2g} radians midway between "
                              "them, more than the tolerance: perhaps they change abruptly somewhere")
         columns, rows = 2 * columns, 2 * rows
@@ -111,16 +116,18 @@ def _table_of(rays, shape: tuple[int, int] | None) -> np.ndarray:
         raise ValueError(f"where there are rays has the shape {valid.shape}, but {shape} is needed")
     table = np.empty((*shape, 7))
     table[..., :3], table[..., 3:6] = origins, directions
-    length = np.linalg.norm(table[..., 3:6], axis=-1)
-    valid = valid & (length != 0)
+    largest = np.abs(table[..., 3:6]).max(axis=-1)
+    valid = valid & (largest != 0)
     if not np.isfinite(table[..., :6][valid]).all():
         row, column = np.argwhere(valid & ~np.isfinite(table[..., :6]).all(axis=-1))[0]
         raise ValueError(f"the ray in column {column} of row {row} has a number that is not finite, but it is "
                          "not said that there is no ray")
     if not valid.any():
-        raise ValueError("there is no ray")
-    table[..., 3:6] /= np.where(valid, length, 1)[..., None]
+        raise ValueError(f"there is no ray at any of {shape[1]} x {shape[0]} places")
     table[~valid] = 0
+    # In two steps, as the square of a length may be beyond all numbers.
+    table[valid, 3:6] /= largest[valid, None]
+    table[valid, 3:6] /= np.linalg.norm(table[valid, 3:6], axis=-1)[:, None]
     table[..., 6] = valid
     return table
 

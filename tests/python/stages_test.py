@@ -395,6 +395,21 @@ class FromRays(RoomTest):
         with self.assertRaisesRegex(ValueError, "abruptly"):
             balcony.from_rays(torn, self.folder / "torn.npy", size=(1024, 4), tolerance=1e-6)
 
+        def apart(x, y):
+            # One column has samples, and another one, far from it, what is midway.
+            return np.zeros(3), np.stack([np.ones_like(x), 0 * x, 0 * x], axis=-1), (x == 0.5 / 1028) | (x == 0.75)
+
+        with self.assertRaisesRegex(ValueError, r"1028 x 4 rays cannot be measured.* gaps"):
+            balcony.from_rays(apart, self.folder / "apart.npy", size=(1028, 4), tolerance=1e-6)
+        self.assertTrue(math.isnan(balcony.from_rays(apart, self.folder / "apart.npy", size=(1028, 4)).angle_error))
+
+    def test_directions_of_any_length(self):
+        for length in (1e-300, 1e300):
+            made = balcony.from_rays(lambda x, y, length=length: (
+                np.zeros(3), length * np.stack([3 + x, y, 0 * x], axis=-1)), self.folder / "long.npy", size=(16, 16))
+            self.assertTrue(made.camera.rays(16, 16).valid.all())
+            self.assertLess(made.angle_error, 1e-3)
+
 
 if __name__ == "__main__":
     unittest.main()
