@@ -73,6 +73,18 @@ TEST(RayGrid, WarnsThatItKnowsNoObjects) {
               "camera");
 }
 
+TEST(RayGrid, SaysWhichLayersThereAreInWordsOfAnyFrontEnd) {
+    const auto text = std::make_shared<const SourceText>(
+        "two.cam", "picture two { layer panorama layer pinhole }");
+    const auto picture = lang::make_picture(text, "");
+    ASSERT_TRUE(picture) << to_text(picture.diagnostics);
+    const auto grid = RayGrid::make(*picture, {.width = 8, .height = 4});
+    ASSERT_FALSE(grid);
+    EXPECT_EQ(grid.diagnostics.front().remedy,
+              "give one as the layer, by its name or its number; its layers are 1 panorama, "
+              "2 pinhole");
+}
+
 TEST(RayStream, EndsWhereTheSinkRefuses) {
     const RayGrid grid = grid_of("panorama", 2000, 1000);
     std::size_t calls = 0;

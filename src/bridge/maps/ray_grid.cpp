@@ -49,7 +49,7 @@ Result<std::size_t> find_layer(const camera::Picture& picture,
     if (wanted.empty()) {
         return error(fmt::format("'{}' has {} camera layers, and a ray map has one", picture.name(),
                                  layers.size()),
-                     {}, fmt::format("choose one with --layer; {}", list));
+                     {}, fmt::format("give one as the layer, by its name or its number; {}", list));
     }
     if (found.empty()) {
         return error(fmt::format("'{}' has no camera layer '{}'", picture.name(), wanted), {},
