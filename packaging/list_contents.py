@@ -22,9 +22,9 @@ REPOSITORY = Path(__file__).resolve().parent.parent
 def rows_of_notice(part):
     """Package and licence of each row that is for all, or for this part of Balcony."""
     for line in (REPOSITORY / "NOTICE").read_text().splitlines():
-        row = re.fullmatch(r"  \S.*?  +([a-z]\S+-dev) +([A-Za-z]\S+?)(, parts (\S+))?( .*)?", line)
+        row = re.fullmatch(r"  \S.*?  +([a-z]\S+-dev) +([A-Za-z]\S+?)(?:(?:, parts| and) (\S+))?( .*)?", line)
         if row and (" only)" not in line or f"({part} only)" in line):
-            yield row[1], f"{row[2]} AND {row[4]}" if row[4] else row[2]
+            yield row[1], f"{row[2]} AND {row[3]}" if row[3] else row[2]
 
 
 def output_of(*words):
