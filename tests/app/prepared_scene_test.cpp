@@ -280,6 +280,19 @@ TEST_F(Garden, AnEnvironmentIsReadAgainOnlyIfItsFileHasChanged) {
     write_light(file("light.exr"), 10.0);
     EXPECT_EQ(made->render(picture->picture, request).diagnostics.size(), 1U);
     EXPECT_GT(brightest(), 5.0F * before);
+    EXPECT_TRUE(made->render(picture->picture, request).diagnostics.empty());
+    EXPECT_GT(brightest(), 5.0F * before);
+    // One that only pictures have, in turn with that of the scene.
+    write_light(file("dusk.exr"), 0.1);
+    Request at_dusk = request;
+    at_dusk.light.environment = std::filesystem::path(file("dusk.exr"));
+    EXPECT_EQ(made->render(picture->picture, at_dusk).diagnostics.size(), 1U);
+    const float dusk = brightest();
+    EXPECT_LT(dusk, before);
+    EXPECT_TRUE(made->render(picture->picture, request).diagnostics.empty());
+    EXPECT_GT(brightest(), 5.0F * before);
+    EXPECT_TRUE(made->render(picture->picture, at_dusk).diagnostics.empty());
+    EXPECT_EQ(brightest(), dusk);
 }
 
 }  // namespace

@@ -60,19 +60,28 @@ bool move_renderer(Loaded& loaded, const scene::TimeInterval& times, const std::
     return true;
 }
 
-// Loads the environment of a file, as far as that is not done.
-void load_environment(const fs::path& file, std::optional<EnvironmentFile>& loaded,
-                      const std::stop_token& stop, Diagnostics& found) {
-    if (loaded && loaded->file == file && !loaded->watch.has_changed()) {
-        return;
+// The environment of a file, which is read as far as that is not done. That of the scene and one
+// that a picture has instead are kept.
+Result<render::Environment> environment_of(const fs::path& file,
+                                           std::vector<EnvironmentFile>& loaded,
+                                           const std::stop_token& stop) {
+    const auto known = std::find_if(loaded.begin(), loaded.end(), [&](const EnvironmentFile& one) {
+        return one.file == file && !one.watch.has_changed();
+    });
+    if (known != loaded.end()) {
+        std::rotate(loaded.begin(), known, known + 1);
+        return loaded.front().environment;
     }
-    loaded.reset();
+    std::erase_if(loaded, [&](const EnvironmentFile& one) { return one.file == file; });
+    if (loaded.size() > 1) {
+        loaded.pop_back();
+    }
     FileWatch watch({file});
     auto read = render::Environment::load(file, stop);
-    add(found, read.diagnostics);
     if (read) {
-        loaded.emplace(EnvironmentFile{file, std::move(watch), std::move(*read)});
+        loaded.insert(loaded.begin(), EnvironmentFile{file, std::move(watch), *read});
     }
+    return read;
 }
 
 // Loads what a request needs, as far as that is not done.
@@ -219,7 +228,7 @@ std::vector<fs::path> Loaded::files() const {
         all.insert(all.end(), scene->files.begin(), scene->files.end());
     }
     if (environment) {
-        all.push_back(environment->file);
+        all.push_back(*environment);
     }
     all.insert(all.end(), marks.begin(), marks.end());
     return all;
@@ -234,6 +243,7 @@ Loaded shared(const Loaded& loaded) {
     made.load_seconds = loaded.load_seconds;
     made.settings = loaded.settings;
     made.environment = loaded.environment;
+    made.environments = loaded.environments;
     made.since = loaded.since;
     return made;
 }
@@ -243,16 +253,16 @@ bool load_settings(const Request& request, Loaded& loaded, const std::stop_token
     Result<render::Settings> settings = settings_of(request);
     add(found, settings.diagnostics);
     const auto* const file = std::get_if<fs::path>(&request.light.environment);
-    if (file == nullptr) {
-        loaded.environment.reset();
-    } else if (settings) {
-        load_environment(*file, loaded.environment, stop, found);
-        if (!loaded.environment) {
+    loaded.environment.reset();
+    if (file != nullptr && settings) {
+        const auto environment = environment_of(*file, loaded.environments, stop);
+        add(found, environment.diagnostics);
+        if (!environment) {
             return false;
         }
+        loaded.environment = *file;
         settings->light.environment =
-            loaded.environment->environment.rotated(request.light.rotation)
-                .scaled(request.light.strength);
+            environment->rotated(request.light.rotation).scaled(request.light.strength);
     }
     if (settings) {
         loaded.settings = std::move(*settings);

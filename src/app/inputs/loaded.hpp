@@ -31,13 +31,14 @@ struct Loaded {
     lang::Workspace cameras;
     std::shared_ptr<const scene::Scene> scene;
     std::optional<render::Renderer> renderer;
-    std::shared_ptr<const scene::Scene> traced{};  ///< That of the renderer.
-    scene::TimeInterval times{};                   ///< Of the renderer's rays.
-    double load_seconds = 0.0;                     ///< To read the scene.
-    render::Settings settings{};                   ///< With an environment that is a file.
-    std::optional<EnvironmentFile> environment{};
-    std::vector<std::filesystem::path> marks{};  ///< The file of Request::solve, if any.
-    FileWatch::Time since{};                     ///< Before the first file was read.
+    std::shared_ptr<const scene::Scene> traced{};        ///< That of the renderer.
+    scene::TimeInterval times{};                         ///< Of the renderer's rays.
+    double load_seconds = 0.0;                           ///< To read the scene.
+    render::Settings settings{};                         ///< With an environment that is a file.
+    std::optional<std::filesystem::path> environment{};  ///< The file of the settings, if any.
+    std::vector<EnvironmentFile> environments{};         ///< The last two that were read.
+    std::vector<std::filesystem::path> marks{};          ///< The file of Request::solve, if any.
+    FileWatch::Time since{};                             ///< Before the first file was read.
 
     /// The files that the picture depends on.
     [[nodiscard]] std::vector<std::filesystem::path> files() const;

@@ -316,7 +316,7 @@ Report Session::render(const Request& request, const Observer& observer,
     return report;
 }
 
-Report render_in(const Loaded& scene, const camera::Picture& picture, const Request& request,
+Report render_in(Loaded& scene, const camera::Picture& picture, const Request& request,
                  const Observer& observer, const std::stop_token& stop,
                  std::shared_ptr<const render::Film>& film) {
     Report report;
@@ -326,6 +326,7 @@ Report render_in(const Loaded& scene, const camera::Picture& picture, const Requ
         state.loaded = shared(scene);
         if (!add(report.diagnostics, check_request(request)) &&
             load_settings(request, state.loaded, stop, report.diagnostics)) {
+            scene.environments = state.loaded.environments;
             state.render_picture(picture, request, observer, stop, report);
             film = state.film;
         }

@@ -29,8 +29,8 @@ struct SessionState {
 struct Session::State : SessionState {};
 
 /// Renders a picture of a scene that is loaded, with the light and the settings of a request. The
-/// film is as Session::film().
-[[nodiscard]] Report render_in(const Loaded& scene, const camera::Picture& picture,
+/// scene keeps the files of environments that are read. The film is as Session::film().
+[[nodiscard]] Report render_in(Loaded& scene, const camera::Picture& picture,
                                const Request& request, const Observer& observer,
                                const std::stop_token& stop,
                                std::shared_ptr<const render::Film>& film);
