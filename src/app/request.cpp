@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
+#include "base/memory.hpp"
 #include "base/precondition.hpp"
 
 namespace balcony::app {
@@ -98,10 +98,7 @@ std::string DisplayAddress::text() const {
     return fmt::format(fmt::runtime(is_ip6 ? "[{}]:{}" : "{}:{}"), host, port);
 }
 
-double JobRequest::film_bytes() const {
-    return film_memory.value_or(0.5 * static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
-                                static_cast<double>(sysconf(_SC_PAGESIZE)));
-}
+double JobRequest::film_bytes() const { return film_memory.value_or(0.5 * physical_memory()); }
 
 render::ViewTransform Request::view_transform() const {
     return view.value_or(stereo.is_anaglyph() ? render::ViewTransform::standard

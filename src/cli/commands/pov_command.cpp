@@ -16,10 +16,10 @@
 #include "balcony/inputs.hpp"
 #include "balcony/names.hpp"
 #include "balcony/povray.hpp"
+#include "base/memory.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/options/command_rows.hpp"
 #include "cli/options/picture_output.hpp"
-#include "cli/report/peak_memory.hpp"
 #include "cli/report/render_observer.hpp"
 
 namespace balcony::cli {

@@ -12,7 +12,7 @@
 #include <fmt/ranges.h>
 
 #include "balcony/names.hpp"
-#include "cli/report/peak_memory.hpp"
+#include "base/memory.hpp"
 
 namespace balcony::cli {
 

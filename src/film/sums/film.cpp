@@ -9,9 +9,9 @@
 #include <type_traits>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "balcony/tiled_file.hpp"
+#include "base/memory.hpp"
 #include "film/sums/film_arrays.hpp"
 #include "film/sums/layer_rows.hpp"
 
@@ -34,12 +34,6 @@ LayerSet layers_of(const FilmLayout& layout) {
 
 bool at_center(const LayerInfo& layer) {
     return layer.sampling == LayerSampling::center && layer.bytes > 0;
-}
-
-/// In bytes; negative if the system does not say.
-double physical_memory() {
-    return static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
-           static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
 Diagnostics check(const FilmLayout& layout, const Region& window) {

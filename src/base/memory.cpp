@@ -1,11 +1,12 @@
 // Balcony: rendering through extended cameras.
 // SPDX-License-Identifier: Apache-2.0
 
-#include "cli/report/peak_memory.hpp"
+#include "base/memory.hpp"
 
 #include <sys/resource.h>
+#include <unistd.h>
 
-namespace balcony::cli {
+namespace balcony {
 
 std::uint64_t peak_memory() {
     rusage usage{};
@@ -20,4 +21,9 @@ std::uint64_t peak_memory() {
     return unit * static_cast<std::uint64_t>(usage.ru_maxrss);
 }
 
-}  // namespace balcony::cli
+double physical_memory() {
+    return static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
+           static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+}  // namespace balcony

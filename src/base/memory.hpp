@@ -4,9 +4,12 @@
 
 #include <cstdint>
 
-namespace balcony::cli {
+namespace balcony {
 
 /// The most memory that this process has held so far, in bytes; 0 if the system does not tell.
 [[nodiscard]] std::uint64_t peak_memory();
 
-}  // namespace balcony::cli
+/// That of the machine, in bytes; negative if the system does not tell.
+[[nodiscard]] double physical_memory();
+
+}  // namespace balcony
