@@ -225,6 +225,9 @@ struct DatasetRequest {
     std::optional<render::Shard> shard{};  ///< Every so many frames, as of an animation.
     bool overwrite = false;                ///< Frames that are there are rendered again.
     bool only_plan = false;                ///< Nothing is rendered or written.
+    /// While the program has held fewer bytes, scenes stay loaded from the plan to their frames; by
+    /// default a quarter of the machine's memory. Others are loaded again.
+    std::optional<double> scene_memory{};
 };
 
 struct DatasetReport {

@@ -17,6 +17,7 @@
 #include "balcony/names.hpp"
 #include "balcony/output_file.hpp"
 #include "balcony/progress.hpp"
+#include "base/memory.hpp"
 #include "dataset/files.hpp"
 #include "dataset/frames/frame_layers.hpp"
 #include "dataset/frames/frame_maker.hpp"
@@ -50,17 +51,20 @@ public:
 
     void run() {
         const auto begin = Clock::now();
-        auto planned = plan_dataset(request_.recipe, observer_, stop_);
+        // Each scene is a part of what is loaded, and frames need memory as well.
+        const double memory =
+            request_.only_plan ? 0.0 : request_.scene_memory.value_or(0.25 * physical_memory());
+        auto planned = plan_dataset(request_.recipe, memory, observer_, stop_);
         if (fails(planned.diagnostics)) {
             return;
         }
         plan_ = &planned->plan;
+        scenes_ = &planned->scenes;
         report_.plan_seconds = seconds_since(begin);
         describe();
         if (request_.only_plan || !begin_folder()) {
             return;
         }
-        maker_.emplace(*plan_, planned->scene, std::move(*planned->prepared));
         const auto begin_of_frames = Clock::now();
         make_frames();
         count_warnings();
@@ -206,9 +210,9 @@ private:
                 is_finished(frame) ? ++report_.skipped : (missing.push_back(&frame), 0U);
             }
         }
-        // The scene that is loaded comes first.
+        // The scenes that are loaded come first, and the others do not meet them in memory.
         std::stable_partition(missing.begin(), missing.end(),
-                              [&](const Frame* frame) { return frame->scene == maker_->scene(); });
+                              [&](const Frame* frame) { return scenes_->contains(frame->scene); });
         for (std::size_t i = 0; i < missing.size(); ++i) {
             if (stop_.stop_requested()) {
                 report_.interrupted = true;
@@ -225,10 +229,15 @@ private:
     }
 
     bool load(std::size_t scene) {
-        if (maker_->scene() == scene) {
+        if (maker_ && maker_->scene() == scene) {
             return true;
         }
         maker_.reset();
+        if (auto loaded = scenes_->extract(scene)) {
+            maker_.emplace(*plan_, scene, std::move(loaded.mapped()));
+            return true;
+        }
+        scenes_->clear();
         auto prepared = app::PreparedScene::make(
             scene_request(plan_->recipe.picture, plan_->scenes[scene].file), observer_, stop_);
         if (fails(prepared.diagnostics)) {
@@ -270,6 +279,7 @@ private:
     std::stop_token stop_;
     DatasetReport& report_;
     const Plan* plan_ = nullptr;
+    std::map<std::size_t, app::PreparedScene>* scenes_ = nullptr;  // That are loaded.
     std::optional<FrameMaker> maker_;
     // How many frames more have a warning, and its index.
     std::map<std::string, std::pair<std::size_t, std::size_t>> told_;

@@ -76,6 +76,29 @@ random = 2
 constexpr const char* all_layers =
     R"("rgb", "radiance", "rays", "depth", "normal", "flow", "object", "material", "valid")";
 
+TEST_F(Dataset, EachSceneIsLoadedOnceIfThereIsMemory) {
+    write("hall.obj", test::room);
+    Recipe both = recipe("\"rgb\"", "\"pinhole\"");
+    both.scenes.push_back(
+        {.name = "hall", .written = "hall.obj", .file = (folder() / "hall.obj").string()});
+    const auto loads = [&](const std::string& name, double memory) {
+        std::size_t count = 0;
+        app::Observer observer;
+        observer.step = [&, last = app::Step::reading](app::Step step, double) mutable {
+            count += step == app::Step::building && last != step ? 1 : 0;
+            last = step;
+        };
+        const DatasetReport report = make_dataset(
+            {.recipe = both, .folder = folder() / name, .scene_memory = memory}, observer);
+        EXPECT_TRUE(report.diagnostics.empty()) << to_text(report.diagnostics);
+        EXPECT_EQ(report.rendered, 8U);
+        return count;
+    };
+    EXPECT_EQ(loads("once", 1e18), 2U);
+    EXPECT_EQ(loads("again", 0.0), 3U);
+    EXPECT_EQ(files("once"), files("again"));
+}
+
 TEST_F(Dataset, IsTheSameForAnyThreadsAndShards) {
     const std::string cameras = R"("pinhole", "fisheye")";
     EXPECT_EQ(make(recipe(all_layers, cameras, 1), "one").rendered, 8U);

@@ -12,6 +12,7 @@
 #include "balcony/lang.hpp"
 #include "balcony/progress.hpp"
 #include "balcony/ray_maps.hpp"
+#include "base/memory.hpp"
 #include "dataset/layouts/layout.hpp"
 #include "dataset/lenses/lenses.hpp"
 #include "dataset/picture_facts.hpp"
@@ -61,13 +62,19 @@ SampledRays sampled(const camera::Picture& picture, const std::array<std::size_t
 /// Plans the scenes of a recipe one after the other.
 class Planning {
 public:
-    Planning(const app::Observer& observer, const std::stop_token& stop, Planned& made)
-        : observer_(observer), stop_(stop), made_(made), recipe_(made.plan.recipe) {
+    Planning(double scene_memory, const app::Observer& observer, const std::stop_token& stop,
+             Planned& made)
+        : scene_memory_(scene_memory),
+          observer_(observer),
+          stop_(stop),
+          made_(made),
+          recipe_(made.plan.recipe) {
         workspace_.stop_with(stop);
     }
 
     Diagnostics run() {
         for (std::size_t i = 0; i < recipe_.scenes.size(); ++i) {
+            make_room(i);
             if (!add_scene(i)) {
                 return std::move(found_);
             }
@@ -97,6 +104,13 @@ private:
     [[nodiscard]] std::string name_of(const std::filesystem::path& file) const {
         return recipe_.folder.empty() ? file.generic_string()
                                       : file.lexically_proximate(recipe_.folder).generic_string();
+    }
+
+    // Before a scene is loaded, so that there are never two that do not fit.
+    void make_room(std::size_t index) {
+        if (index > 0 && static_cast<double>(peak_memory()) >= scene_memory_) {
+            made_.scenes.erase(index - 1);
+        }
     }
 
     bool add_scene(std::size_t index) {
@@ -135,8 +149,7 @@ private:
             }
         }
         made_.plan.scenes.push_back(std::move(planned));
-        made_.prepared.emplace(std::move(*prepared.value));
-        made_.scene = index;
+        made_.scenes.emplace(index, std::move(*prepared.value));
         return true;
     }
 
@@ -274,6 +287,7 @@ private:
         return found;
     }
 
+    double scene_memory_;
     const app::Observer& observer_;
     std::stop_token stop_;
     lang::Workspace workspace_;
@@ -286,11 +300,11 @@ private:
 
 }  // namespace
 
-Result<Planned> plan_dataset(const Recipe& recipe, const app::Observer& observer,
-                             const std::stop_token& stop) {
+Result<Planned> plan_dataset(const Recipe& recipe, double scene_memory,
+                             const app::Observer& observer, const std::stop_token& stop) {
     Result<Planned> made;
     made.value.emplace(Planned{.plan = {.recipe = recipe}});
-    made.diagnostics = Planning(observer, stop, *made).run();
+    made.diagnostics = Planning(scene_memory, observer, stop, *made).run();
     if (has_errors(made.diagnostics)) {
         made.value.reset();
     }
@@ -299,7 +313,7 @@ Result<Planned> plan_dataset(const Recipe& recipe, const app::Observer& observer
 
 Result<Plan> make_plan(const Recipe& recipe, const app::Observer& observer,
                        const std::stop_token& stop) {
-    auto planned = plan_dataset(recipe, observer, stop);
+    auto planned = plan_dataset(recipe, 0.0, observer, stop);
     return planned ? Result<Plan>(std::move(planned->plan), std::move(planned.diagnostics))
                    : Result<Plan>(std::move(planned.diagnostics));
 }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
+#include <map>
 #include <stop_token>
 
 #include "balcony/dataset.hpp"
@@ -11,14 +11,15 @@
 
 namespace balcony::dataset {
 
-/// A plan, and the scene that was loaded last for it.
+/// A plan, and scenes that are still loaded: the last one, and those before it while the program
+/// had held fewer bytes than `scene_memory`.
 struct Planned {
     Plan plan;
-    std::optional<app::PreparedScene> prepared{};
-    std::size_t scene = 0;
+    std::map<std::size_t, app::PreparedScene> scenes{};  ///< By their index.
 };
 
-[[nodiscard]] Result<Planned> plan_dataset(const Recipe& recipe, const app::Observer& observer,
+[[nodiscard]] Result<Planned> plan_dataset(const Recipe& recipe, double scene_memory,
+                                           const app::Observer& observer,
                                            const std::stop_token& stop);
 
 }  // namespace balcony::dataset
