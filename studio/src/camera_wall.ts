@@ -160,7 +160,8 @@ export class CameraWall extends LitElement {
     override render() {
         const { found } = this;
         const isListed = this.cameras.length > 0;
-        const families = [...new Set(found.map(({ family }) => family))];
+        const families = new Map<string, BuiltInCamera[]>();
+        for (const one of found) families.set(one.family, [...(families.get(one.family) ?? []), one]);
         return html`<dialog class="wall" aria-label="Cameras" @close=${() => this.closed()}>
             <div class="top">
                 <h2>Start with a camera</h2>
@@ -175,10 +176,10 @@ export class CameraWall extends LitElement {
                 <button @click=${() => this.dialog.close()}>Close</button>
             </div>
             <div class="families">
-                ${families.map(
-                    (family) => html`<section aria-label=${family}>
+                ${[...families].map(
+                    ([family, cameras]) => html`<section aria-label=${family} data-cards=${cameras.length}>
                         <h3>${family}</h3>
-                        <div class="cards">${found.filter((one) => one.family === family).map((one) => this.card(one))}</div>
+                        <div class="cards">${cameras.map((one) => this.card(one))}</div>
                     </section>`,
                 )}
                 ${isListed && found.length === 0 ? html`<p class="quiet">No camera is for that. Try another word.</p>` : nothing}

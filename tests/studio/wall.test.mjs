@@ -59,3 +59,22 @@ test("what is typed at once is the search, and a word that no camera is for says
     await page.tab.keyboard.press("Escape");
     await page.until((_) => document.querySelector("dialog[open]") === null);
 });
+
+test("small families share a row, unless the window is narrow", async () => {
+    const page = await studio.open();
+    await page.tab.locator("#wall").click();
+    await page.tab.locator(".card").first().waitFor();
+    await page.tab.keyboard.type("360");
+    await page.until((_) => document.querySelectorAll(".card").length < 30);
+    const seen = () =>
+        page.tab.locator(".wall .families").evaluate((families) => {
+            const sections = [...families.querySelectorAll("section")];
+            const rows = new Set(sections.map((one) => one.getBoundingClientRect().top));
+            return [sections.length, rows.size, families.scrollWidth - families.clientWidth];
+        });
+    const [families, rows, hidden] = await seen();
+    assert.ok(families > 2 && rows < families, `${families} families in ${rows} rows`);
+    assert.equal(hidden, 0);
+    await page.tab.setViewportSize({ width: 420, height: 700 });
+    assert.deepEqual(await seen(), [families, families, 0]);
+});
