@@ -80,7 +80,9 @@ private:
                     double* values) const {
         for (std::size_t begin = 0; begin < size(); begin += program::max_points) {
             const std::size_t count = std::min(program::max_points, size() - begin);
-            const auto part = [&](std::span<const double> all) { return all.subspan(begin, count); };
+            const auto part = [&](std::span<const double> all) {
+                return all.subspan(begin, count);
+            };
             const std::array inputs{inputs_[0], part(inputs_[1])};
             const std::array places{values + begin};
             program::run_on(set, made, {part(x_), part(y_), tile_.time, inputs}, scratch, places);
