@@ -6,7 +6,8 @@ beside the exact derivatives of Balcony.
 
 Usage: gradients_test.py BALCONY REPOSITORY EXPORTS
 
-EXPORTS is the folder that write_exports wrote. The folder gradients/stand_ins has what stands for PyTorch where it is not installed, and for Mitsuba.
+EXPORTS is the folder that write_exports wrote. The folder gradients/stand_ins has what stands for PyTorch
+where it is not installed, and for Mitsuba.
 """
 
 import json
