@@ -35,24 +35,40 @@ V2d offset_of(std::size_t place, const V2d& half) {
             outermost * half.y * (static_cast<double>(place / 3) - 1.0)};
 }
 
-std::vector<Ray> look_at(const PointRays& rays, const std::vector<Survey::Cell>& cells,
-                         const Work& work) {
+// The rays of a cell, by place.
+using Places = std::span<const Ray>;
+
+// Calls use(cell, rays) for each cell in turn.
+template <class Use>
+void look_at(const PointRays& rays, const std::vector<Survey::Cell>& cells, const Work& work,
+             const Use& use) {
     constexpr std::size_t cells_a_batch = program::max_points / Survey::places;
     PointRays::Batch batch(rays, work);
-    std::vector<Ray> seen;
-    seen.reserve(cells.size() * Survey::places);
+    std::array<Ray, Survey::places> seen;
     for (std::size_t begin = 0; begin < cells.size(); begin += cells_a_batch) {
-        const std::size_t count = std::min(cells_a_batch, cells.size() - begin) * Survey::places;
-        for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t count = std::min(cells_a_batch, cells.size() - begin);
+        for (std::size_t i = 0; i < count * Survey::places; ++i) {
             const Survey::Cell& cell = cells[begin + i / Survey::places];
             batch.place(i, cell.center + offset_of(i % Survey::places, cell.half));
         }
-        batch.run(count);
-        for (std::size_t i = 0; i < count; ++i) {
-            seen.push_back(batch.ray(i));
+        batch.run(count * Survey::places);
+        for (std::size_t cell = 0; cell < count; ++cell) {
+            for (std::size_t place = 0; place < Survey::places; ++place) {
+                seen[place] = batch.ray(cell * Survey::places + place);
+            }
+            use(cells[begin + cell], Places(seen));
         }
     }
-    return seen;
+}
+
+std::vector<Ray> rays_of(const PointRays& rays, const std::vector<Survey::Cell>& cells,
+                         const Work& work) {
+    std::vector<Ray> made;
+    made.reserve(cells.size() * Survey::places);
+    look_at(rays, cells, work, [&made](const Survey::Cell&, Places of_cell) {
+        made.insert(made.end(), of_cell.begin(), of_cell.end());
+    });
+    return made;
 }
 
 // A rectangle of the picture, in pixels.
@@ -79,7 +95,7 @@ Survey look_over(const PointRays& rays, const Part& part, const Work& work) {
                 {part.minimum + half * V2d(2.0 * column + 1.0, 2.0 * row + 1.0), half});
         }
     }
-    survey.rays = look_at(rays, survey.cells, work);
+    survey.rays = rays_of(rays, survey.cells, work);
     return survey;
 }
 
@@ -146,39 +162,28 @@ public:
 
     Division run(Survey survey) {
         std::vector<Survey::Cell> cells = std::move(survey.cells);
-        std::vector<Ray> rays = std::move(survey.rays);
         const double whole = area_of(cells);
-        while (!cells.empty()) {
-            work_.done(1.0 - area_of(cells) / whole);
-            std::vector<Survey::Cell> smaller;
-            const auto is_whole = [&rays](std::size_t i) {
-                const Places of_cell = Places(rays).subspan(i * Survey::places, Survey::places);
-                return std::all_of(of_cell.begin(), of_cell.end(),
-                                   [](const Ray& ray) { return ray.valid; });
-            };
-            std::size_t whole_cells = 0;
-            for (std::size_t i = 0; i < cells.size(); ++i) {
-                whole_cells += is_whole(i) ? 1 : 0;
-            }
-            // Where a long border has too many cells, the others are still divided.
-            const bool may_divide = has_room_for(cells.size(), max_patches);
-            const bool may_divide_whole =
-                may_divide || has_room_for(whole_cells, max_patches + max_patches / 8);
-            for (std::size_t i = 0; i < cells.size(); ++i) {
-                const bool may = is_whole(i) ? may_divide_whole : may_divide;
-                judge(cells[i], std::span(rays).subspan(i * Survey::places, Survey::places),
-                      may ? &smaller : nullptr);
-            }
+        std::vector<Survey::Cell> smaller;
+        work_.done(0.0);
+        judge_all(cells, survey.rays, smaller);
+        while (!smaller.empty()) {
             cells = std::move(smaller);
+            smaller.clear();
             cells_left_ -= cells.size();
-            rays = look_at(rays_, cells, work_);
+            if (has_room_for(cells.size(), max_patches)) {
+                // 1.6 kB of rays a cell are judged while they are in the processor's cache.
+                look_at(rays_, cells, work_, [&](const Survey::Cell& cell, Places rays) {
+                    judge(cell, rays, &smaller);
+                });
+            } else {
+                judge_all(cells, rays_of(rays_, cells, work_), smaller);
+            }
+            work_.done(1.0 - area_of(cells) / whole);
         }
         return std::move(made_);
     }
 
 private:
-    using Places = std::span<const Ray>;
-
     // Whether the halves of some cells are not too many.
     [[nodiscard]] bool has_room_for(std::size_t cells, std::size_t patches) const {
         return made_.patches.size() + 2 * cells < patches && 2 * cells <= cells_left_;
@@ -190,6 +195,31 @@ private:
             area += cell.half.x * cell.half.y;
         }
         return area;
+    }
+
+    // Judges cells with the rays of all.
+    void judge_all(const std::vector<Survey::Cell>& cells, const std::vector<Ray>& rays,
+                   std::vector<Survey::Cell>& smaller) {
+        const auto of_cell = [&rays](std::size_t i) {
+            return Places(rays).subspan(i * Survey::places, Survey::places);
+        };
+        const auto is_whole = [&of_cell](std::size_t i) {
+            const Places places = of_cell(i);
+            return std::all_of(places.begin(), places.end(),
+                               [](const Ray& ray) { return ray.valid; });
+        };
+        std::size_t whole_cells = 0;
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+            whole_cells += is_whole(i) ? 1 : 0;
+        }
+        // Where a long border has too many cells, the others are still divided.
+        const bool may_divide = has_room_for(cells.size(), max_patches);
+        const bool may_divide_whole =
+            may_divide || has_room_for(whole_cells, max_patches + max_patches / 8);
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+            const bool may = is_whole(i) ? may_divide_whole : may_divide;
+            judge(cells[i], of_cell(i), may ? &smaller : nullptr);
+        }
     }
 
     // Keeps a cell as a patch, drops it, or divides it along the axis on which it is less linear.
