@@ -3,15 +3,14 @@
 
 #include "base/loaded_module.hpp"
 
-#include <utility>
-
 #include <dlfcn.h>
+#include <fmt/format.h>
 
 namespace balcony {
 
 Result<void*> function_of_module(const std::filesystem::path& folder,
                                  const std::filesystem::path& name, const char* function,
-                                 std::string_view purpose, std::string remedy) {
+                                 std::string_view purpose, std::string_view library) {
     const Result<std::filesystem::path> file = installed_file(folder, name, purpose);
     if (!file) {
         return file.diagnostics;
@@ -21,8 +20,11 @@ Result<void*> function_of_module(const std::filesystem::path& folder,
     void* const found = module != nullptr ? dlsym(module, function) : nullptr;
     if (found == nullptr) {
         const char* const reason = dlerror();
-        return incomplete_installation(reason != nullptr ? reason : file->string(),
-                                       std::move(remedy));
+        return incomplete_installation(
+            reason != nullptr ? reason : file->string(),
+            fmt::format("install the package of {}, or build Balcony again for the version that "
+                        "is installed",
+                        library));
     }
     return found;
 }

@@ -96,7 +96,7 @@ picture parts {
 }
 """
         (self.folder / "my.cam").write_text(text)
-        # Layers by depth take 13 times as long.
+        # Layers by depth take many times as long.
         other = {"my.cam:above": "my.cam:parts", str(PASSES): str(PASSES // 10)}
         words = [other.get(word, word) for word in SLOW]
         whole = self.whole(*words)

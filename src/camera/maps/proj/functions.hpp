@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// All functions of PROJ that Balcony calls. PROJ brings 35 libraries, which take as long to load as
-// all others of the command, and few cameras are maps.
+// All functions of PROJ that Balcony calls. PROJ brings libraries that take long to load, and few
+// cameras are maps.
 
 #include <proj.h>
 
