@@ -6,6 +6,7 @@
 #include "shading/surfaces/surface_lanes.hpp"
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <random>
 
@@ -132,15 +133,15 @@ TEST(SurfaceLanes, FootprintsAreThoseOfEachRay) {
             surface_lanes::set_footprints(packet, lanes, mesh, differentials, use, found);
             for (std::size_t lane = 0; lane < Packet::size; ++lane) {
                 SCOPED_TRACE(lane);
-                TextureFootprint expected{V2f(texture_lanes::middle), V2f(0.0F), V2f(0.0F)};
-                if ((lanes >> lane & 1U) != 0) {
-                    const DifferentialRay ray{packet.origin(lane), packet.direction(lane),
-                                              differentials.of(lane)};
-                    const Surface surface = surfaces.find(packet.hit(lane), ray.direction);
-                    expected = surface.in_mesh.texture_footprint(
-                        use, surface.triangle_footprint(surface.transfer(ray)));
-                    EXPECT_NE(expected.along_x, V2f(0.0F));
-                }
+                const std::size_t like = (lanes >> lane & 1U) != 0
+                                             ? lane
+                                             : static_cast<std::size_t>(std::countr_zero(lanes));
+                const DifferentialRay ray{packet.origin(like), packet.direction(like),
+                                          differentials.of(like)};
+                const Surface surface = surfaces.find(packet.hit(like), ray.direction);
+                const TextureFootprint expected = surface.in_mesh.texture_footprint(
+                    use, surface.triangle_footprint(surface.transfer(ray)));
+                EXPECT_NE(expected.along_x, V2f(0.0F));
                 EXPECT_EQ(found.at.of(lane), expected.at);
                 EXPECT_EQ(found.along_x.of(lane), expected.along_x);
                 EXPECT_EQ(found.along_y.of(lane), expected.along_y);

@@ -241,6 +241,12 @@ void set_footprints(const Packet& packet, LaneBits bits, const PlacedMesh& mesh,
             store_slope(differentials.origin_x, differentials.direction_x, footprints.along_x);
             store_slope(differentials.origin_y, differentials.direction_y, footprints.along_y);
         });
+    const auto first = static_cast<std::size_t>(std::countr_zero(bits));
+    for_each_lane(all_lanes & ~bits, [&](std::size_t lane) {
+        for (LanePairs* const values : {&footprints.at, &footprints.along_x, &footprints.along_y}) {
+            values->set(lane, values->of(first));
+        }
+    });
 }
 
 // A group of a plain look.

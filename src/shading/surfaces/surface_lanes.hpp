@@ -46,8 +46,8 @@ void find_groups(const embree::Packet& packet, Groups& groups);
 inline constexpr std::size_t max_mesh_size = std::size_t{1} << 29U;
 
 /// Sets the footprints of a group in the image of a use of a texture, as Surface::transfer(),
-/// triangle_footprint() and MeshPoint::texture_footprint() for one, bit for bit; those of the other
-/// lanes become points in the middle of the image.
+/// triangle_footprint() and MeshPoint::texture_footprint() for one, bit for bit. The other lanes
+/// have that of its first, so that their look-ups need no texels of their own.
 void set_footprints(const embree::Packet& packet, LaneBits lanes, const PlacedMesh& mesh,
                     const packet_lanes::Differentials& differentials, const scene::TextureUse& use,
                     texture_lanes::Footprints& footprints);

@@ -12,19 +12,9 @@
 
 namespace balcony::render::texture_lanes {
 
-constexpr LaneFloats filled(float value) {
-    LaneFloats made{};
-    made.fill(value);
-    return made;
-}
-
-inline constexpr float middle = 0.5F;
-
-/// As TextureFootprint, by lane. What no ray needs must be a point in the middle of the image,
-/// which costs least.
+/// As TextureFootprint, by lane. What no ray needs must be what another needs, which costs least.
 struct Footprints {
-    LanePairs at{filled(middle), filled(middle)};
-    LanePairs along_x, along_y;
+    LanePairs at, along_x, along_y;
 };
 
 /// The means over the footprints, as MipPyramid::mean() for one, in red, green and blue. The texels
