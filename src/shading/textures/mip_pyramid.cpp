@@ -8,8 +8,14 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <new>
+#include <optional>
 #include <span>
+#include <string>
+#include <type_traits>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "balcony/progress.hpp"
 #include "shading/textures/texture_look_up.hpp"
@@ -73,6 +79,12 @@ std::vector<Shares> shares_of(std::size_t count) {
     return all;
 }
 
+// A row of an image, by column.
+struct RowOfValues {
+    std::span<const Float4> values;
+    const Float4& operator()(std::size_t x) const { return values[x]; }
+};
+
 // Halves an image whose rows come one after the other.
 class Halving {
 public:
@@ -83,9 +95,10 @@ public:
           made_(columns_.size()),
           is_even_(width % 2 == 0) {}
 
-    // Takes the next row, and calls done(row) for each row of the halved image that it completes.
-    template <class Done>
-    void take(std::span<const Float4> row, const Done& done) {
+    // Takes the next row, whose texels are row(x), and calls done(row) for each row of the halved
+    // image that it completes.
+    template <class Row, class Done>
+    void take(const Row& row, const Done& done) {
         const std::size_t y = next_++;
         // A row may be part of two, the last of one and the first of the next.
         while (made_rows_ < rows_.size()) {
@@ -95,7 +108,7 @@ public:
             }
             const float part = rows.parts[y - rows.first];
             for (std::size_t x = 0; part > 0.0F && x < sum_.size(); ++x) {
-                sum_[x] += part * row[x];
+                sum_[x] += part * row(x);
             }
             const bool goes_on = std::any_of(rows.parts.begin() + (y - rows.first) + 1,
                                              rows.parts.end(), [](float p) { return p > 0.0F; });
@@ -104,7 +117,7 @@ public:
             }
             halve_sum();
             ++made_rows_;
-            done(std::span<const Float4>(made_));
+            done(RowOfValues{made_});
         }
     }
 
@@ -133,6 +146,128 @@ private:
     std::size_t next_ = 0;
     std::size_t made_rows_ = 0;
     bool is_even_;
+};
+
+// Reads an image, some rows at a time, to rows_at(y, count), and calls visit(y, rows). Ends with
+// the first failure of either.
+template <class RowsAt, class Visit>
+std::optional<Diagnostic> for_each_rows(TextureReader& image, const RowsAt& rows_at,
+                                        const Visit& visit) {
+    constexpr std::size_t at_once = 64;
+    std::optional<Diagnostic> failure;
+    for (std::size_t y = 0; !failure && y < image.height(); y += at_once) {
+        const std::size_t end = std::min(y + at_once, image.height());
+        const auto rows = rows_at(y, end - y);
+        failure = image.read_rows(y, end, rows);
+        if (!failure) {
+            failure = visit(y, rows);
+        }
+    }
+    return failure;
+}
+
+// Memory for a few rows at a time, for for_each_rows().
+template <class Texel>
+class RowBuffer {
+public:
+    explicit RowBuffer(std::size_t width) : width_(width) {}
+    std::span<Texel> operator()(std::size_t, std::size_t count) const {
+        texels_.resize(count * width_);
+        return texels_;
+    }
+
+private:
+    std::size_t width_;
+    mutable std::vector<Texel> texels_;
+};
+
+std::vector<std::size_t> first_texels(const TextureReader& image) {
+    std::vector<std::size_t> first{0};
+    std::size_t width = image.width();
+    std::size_t height = image.height();
+    while (width > 1 || height > 1) {
+        first.push_back(first.back() + width * height);
+        width = halved(width);
+        height = halved(height);
+    }
+    return first;
+}
+
+// Reads the image as for_each_rows(), and sets the other levels, which are one after the other.
+template <class Codec, class RowsAt>
+std::optional<Diagnostic> read_levels(TextureReader& image, const Codec& codec,
+                                      std::span<const std::size_t> first,
+                                      typename Codec::Texel* others, const RowsAt& rows_at) {
+    using Texel = typename Codec::Texel;
+    const std::size_t width = image.width();
+    const std::size_t height = image.height();
+    std::vector<Halving> halvings;
+    std::vector<Texel*> ends;  // Of what each level has.
+    for (std::size_t level = 1; level < first.size(); ++level) {
+        halvings.emplace_back(std::max<std::size_t>(width >> (level - 1), 1),
+                              std::max<std::size_t>(height >> (level - 1), 1));
+        ends.push_back(others + (first[level] - first[1]));
+    }
+    const auto halve = [&](const auto& self, std::size_t level, const auto& row) -> void {
+        if (level == halvings.size()) {
+            return;
+        }
+        halvings[level].take(row, [&](const RowOfValues& made) {
+            ends[level] = std::transform(made.values.begin(), made.values.end(), ends[level],
+                                         [&](const Float4& value) { return codec.encode(value); });
+            self(self, level + 1, made);
+        });
+    };
+    return for_each_rows(
+        image, rows_at, [&](std::size_t, std::span<const Texel> rows) -> std::optional<Diagnostic> {
+            for (std::size_t begin = 0; begin < rows.size(); begin += width) {
+                halve(halve, 0,
+                      [&codec, row = &rows[begin]](std::size_t x) { return codec.decode(row[x]); });
+            }
+            return std::nullopt;
+        });
+}
+
+// Writes the image itself, which is read again, to the first bytes of a block of a file.
+template <class Texel>
+class ImageFill {
+public:
+    ImageFill(const TextureReader& image, const scene::Texture& texture, const SpillFile& file)
+        : texture_(texture),
+          encoding_(image.encoding()),
+          width_(image.width()),
+          height_(image.height()),
+          file_(&file) {}
+
+    std::optional<std::string> operator()(const TexelBlock& block) const {
+        try {
+            const std::optional<Diagnostic> failure = write(block);
+            return failure ? std::optional(failure->message) : std::nullopt;
+        } catch (const std::bad_alloc&) {
+            return "an image needs more memory than available";
+        }
+    }
+
+private:
+    [[nodiscard]] std::optional<Diagnostic> write(const TexelBlock& block) const {
+        Result<TextureReader> image = TextureReader::open(texture_, encoding_);
+        if (!image) {
+            return image.diagnostics.front();
+        }
+        if (image->width() != width_ || image->height() != height_ ||
+            image->has_bytes() != std::is_same_v<Texel, ByteTexel>) {
+            return error(fmt::format("texture '{}' has changed", texture_.name));
+        }
+        return for_each_rows(
+            *image, RowBuffer<Texel>(width_), [&](std::size_t y, std::span<const Texel> rows) {
+                return file_->write(block, y * width_ * sizeof(Texel), std::as_bytes(rows));
+            });
+    }
+
+    scene::Texture texture_;
+    TextureEncoding encoding_;
+    std::size_t width_, height_;
+    const SpillFile* file_;
 };
 
 // ----------------------------------------------------------------------------------- look-ups
@@ -168,8 +303,9 @@ private:
 
 }  // namespace
 
-MipPyramid::MipPyramid(const TextureReader& image, const scene::Texture& texture, TexelBlock texels)
-    : first_(first_texels(image)),
+MipPyramid::MipPyramid(const TextureReader& image, const scene::Texture& texture,
+                       std::vector<std::size_t> first, TexelBlock texels)
+    : first_(std::move(first)),
       color_(&ByteScale::of(image.encoding())),
       alpha_(&ByteScale::of(TextureEncoding::linear)),
       has_bytes_(image.has_bytes()),
@@ -184,20 +320,8 @@ MipPyramid::MipPyramid(const TextureReader& image, const scene::Texture& texture
     fits_lanes_ = has_bytes_ && first_.back() < largest;
     if (fits_lanes_) {
         std::transform(first_.begin(), first_.end(), image_.first.begin(),
-                       [](std::size_t first) { return static_cast<std::int32_t>(first); });
+                       [](std::size_t one) { return static_cast<std::int32_t>(one); });
     }
-}
-
-std::vector<std::size_t> MipPyramid::first_texels(const TextureReader& image) {
-    std::vector<std::size_t> first{0};
-    std::size_t width = image.width();
-    std::size_t height = image.height();
-    while (width > 1 || height > 1) {
-        first.push_back(first.back() + width * height);
-        width = halved(width);
-        height = halved(height);
-    }
-    return first;
 }
 
 std::size_t MipPyramid::bytes(const TextureReader& image) {
@@ -207,62 +331,54 @@ std::size_t MipPyramid::bytes(const TextureReader& image) {
 
 Result<MipPyramid> MipPyramid::read(TextureReader& image, const scene::Texture& texture,
                                     SpillFile* file) {
-    const std::size_t size = bytes(image);
-    MipPyramid made(image, texture, TexelBlock(size));
-    const auto failure = image.has_bytes() ? made.fill(image, ByteCodec{*made.color_, *made.alpha_})
-                                           : made.fill(image, HalfCodec{});
-    if (failure) {
-        return *failure;
-    }
-    if (file != nullptr) {
-        Result<TexelBlock> kept = file->keep(made.texels_);
-        if (!kept) {
-            return std::move(kept.diagnostics);
-        }
-        made.texels_ = std::move(*kept);
-    }
-    return made;
+    const auto read = [&](const auto& codec) {
+        return file == nullptr ? read_to_memory(image, texture, codec)
+                               : read_to_file(image, texture, codec, *file);
+    };
+    return image.has_bytes() ? read(ByteCodec{ByteScale::of(image.encoding()),
+                                              ByteScale::of(TextureEncoding::linear)})
+                             : read(HalfCodec{});
 }
 
 template <class Codec>
-std::optional<Diagnostic> MipPyramid::fill(TextureReader& image, const Codec& codec) {
-    using Texel = typename Codec::Texel;
-    const std::span texels(reinterpret_cast<Texel*>(texels_.data()), first_.back() + 1);
-    const std::size_t width = image.width();
-    const std::size_t height = image.height();
-    std::vector<Halving> halvings;
-    std::vector<Texel*> ends;  // Of what each level has.
-    for (std::size_t level = 1; level < first_.size(); ++level) {
-        halvings.emplace_back(std::max<std::size_t>(width >> (level - 1), 1),
-                              std::max<std::size_t>(height >> (level - 1), 1));
-        ends.push_back(&texels[first_[level]]);
-    }
-    const auto halve = [&](const auto& self, std::size_t level,
-                           std::span<const Float4> row) -> void {
-        if (level == halvings.size()) {
-            return;
-        }
-        halvings[level].take(row, [&](std::span<const Float4> made) {
-            ends[level] = std::transform(made.begin(), made.end(), ends[level],
-                                         [&](const Float4& value) { return codec.encode(value); });
-            self(self, level + 1, made);
-        });
+Result<MipPyramid> MipPyramid::read_to_memory(TextureReader& image, const scene::Texture& texture,
+                                              const Codec& codec) {
+    MipPyramid made(image, texture, first_texels(image), TexelBlock(bytes(image)));
+    auto* const texels = reinterpret_cast<typename Codec::Texel*>(made.texels_.data());
+    const auto rows_at = [&](std::size_t y, std::size_t count) {
+        return std::span(texels + y * image.width(), count * image.width());
     };
-    constexpr std::size_t rows_at_once = 64;
-    std::vector<Float4> decoded(width);
-    for (std::size_t y = 0; y < height; y += rows_at_once) {
-        const std::size_t end = std::min(y + rows_at_once, height);
-        const std::span rows = texels.subspan(y * width, (end - y) * width);
-        if (auto failure = image.read_rows(y, end, rows)) {
-            return failure;
-        }
-        for (std::size_t row = 0; row < rows.size(); row += width) {
-            std::transform(&rows[row], &rows[row] + width, decoded.begin(),
-                           [&](const Texel& texel) { return codec.decode(texel); });
-            halve(halve, 0, decoded);
-        }
+    auto failure =
+        read_levels(image, codec, made.first_, texels + image.width() * image.height(), rows_at);
+    return failure ? Result<MipPyramid>(*failure) : Result<MipPyramid>(std::move(made));
+}
+
+// The image and the other levels have no chunk in common.
+template <class Codec>
+Result<MipPyramid> MipPyramid::read_to_file(TextureReader& image, const scene::Texture& texture,
+                                            const Codec& codec, SpillFile& file) {
+    using Texel = typename Codec::Texel;
+    constexpr std::size_t in_chunk = TexelBlock::chunk_bytes / sizeof(Texel);
+    const std::size_t in_image = image.width() * image.height();
+    const std::size_t moved = (in_chunk - in_image % in_chunk) % in_chunk;
+    std::vector<std::size_t> first = first_texels(image);
+    std::vector<Texel> others(first.back() + 1 - (first.size() > 1 ? in_image : 1));
+    std::transform(first.begin() + 1, first.end(), first.begin() + 1,
+                   [moved](std::size_t one) { return one + moved; });
+    Result<TexelBlock> block =
+        file.reserve((first.back() + 1) * sizeof(Texel), in_image * sizeof(Texel),
+                     ImageFill<Texel>(image, texture, file));
+    if (!block) {
+        return std::move(block.diagnostics);
     }
-    return std::nullopt;
+    auto failure = read_levels(image, codec, first, others.data(), RowBuffer<Texel>(image.width()));
+    if (!failure) {
+        failure = file.write(*block, (in_image + moved) * sizeof(Texel),
+                             std::as_bytes(std::span(others)));
+    }
+    return failure ? Result<MipPyramid>(*failure)
+                   : Result<MipPyramid>(
+                         MipPyramid(image, texture, std::move(first), std::move(*block)));
 }
 
 Color4f MipPyramid::mean(const TextureFootprint& footprint) const {

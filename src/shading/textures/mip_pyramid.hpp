@@ -6,7 +6,6 @@
 // Parametrics" (1983).
 
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 #include <Imath/ImathColor.h>
@@ -24,11 +23,12 @@ namespace balcony::render {
 /// Immutable; look-ups may come from any number of threads.
 class MipPyramid {
 public:
-    /// Reads the image into memory, or into a file if one is given, and computes its mip levels,
-    /// each from the one before by the mean over the area of each texel, in linear colours. An
-    /// image of 8 bits stays one of 8 bits, with each texel rounded once; other images have half
-    /// floats. An error is that of the reader, whose stop it obeys. The texture says how the image
-    /// is continued and magnified.
+    /// Reads the image and computes its mip levels, each from the one before by the mean over the
+    /// area of each texel, in linear colours. An image of 8 bits stays one of 8 bits, with each
+    /// texel rounded once; other images have half floats. They are in memory, or in a file if one
+    /// is given: the image itself is read for it once more, when a look-up needs it first. An error
+    /// is that of the reader, whose stop it obeys. The texture says how the image is continued and
+    /// magnified.
     [[nodiscard]] static Result<MipPyramid> read(TextureReader& image,
                                                  const scene::Texture& texture,
                                                  SpillFile* file = nullptr);
@@ -45,15 +45,20 @@ public:
     void set_means(const texture_lanes::Footprints& footprints, LaneVectors& colors) const;
 
 private:
-    MipPyramid(const TextureReader& image, const scene::Texture& texture, TexelBlock texels);
+    MipPyramid(const TextureReader& image, const scene::Texture& texture,
+               std::vector<std::size_t> first, TexelBlock texels);
 
-    // The index of the first texel of each level.
-    [[nodiscard]] static std::vector<std::size_t> first_texels(const TextureReader& image);
     template <class Codec>
-    [[nodiscard]] std::optional<Diagnostic> fill(TextureReader& image, const Codec& codec);
+    [[nodiscard]] static Result<MipPyramid> read_to_memory(TextureReader& image,
+                                                           const scene::Texture& texture,
+                                                           const Codec& codec);
+    template <class Codec>
+    [[nodiscard]] static Result<MipPyramid> read_to_file(TextureReader& image,
+                                                         const scene::Texture& texture,
+                                                         const Codec& codec, SpillFile& file);
 
     ImageLevels image_;
-    std::vector<std::size_t> first_;  // As first_texels().
+    std::vector<std::size_t> first_;  // The index of the first texel of each level.
     const ByteScale* color_;
     const ByteScale* alpha_;
     bool has_bytes_;           // ByteTexel rather than HalfTexel.

@@ -7,9 +7,8 @@
 #include <cerrno>
 #include <cstdlib>
 #include <filesystem>
-#include <span>
-#include <string>
 #include <system_error>
+#include <utility>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -103,43 +102,46 @@ SpillFile::~SpillFile() {
 }
 
 // Space is reserved for whole chunks, so that each can be read as one.
-Result<TexelBlock> SpillFile::keep(const TexelBlock& in_memory) {
-    const std::size_t chunks = chunks_of(in_memory.bytes_);
+Result<TexelBlock> SpillFile::reserve(std::size_t bytes, std::size_t filled_later,
+                                      TexelBlock::Fill fill) {
+    const std::size_t chunks = chunks_of(bytes);
     const std::size_t size = chunks * chunk_bytes;
     TexelBlock block;
-    block.bytes_ = in_memory.bytes_;
+    block.bytes_ = bytes;
     block.file_ = this;
     block.slots_ = std::make_unique<Slot[]>(chunks);
-    {
-        const std::lock_guard lock(mutex_);
-        if (descriptor_ < 0) {
-            descriptor_ = open_without_name(folder());
-        }
-        if (descriptor_ < 0) {
-            return no_space(size, errno);
-        }
-        // Whether there is space shows before it is filled.
-        block.begin_ = size_;
-        if (const int failure =
-                posix_fallocate(descriptor_, static_cast<off_t>(size_), static_cast<off_t>(size))) {
-            return no_space(size, failure);
-        }
-        size_ += size;
+    block.later_.reset(new TexelBlock::Later{chunks_of(filled_later), std::move(fill)});
+    const std::lock_guard lock(mutex_);
+    if (descriptor_ < 0) {
+        descriptor_ = open_without_name(folder());
     }
-    const int failure =
-        write_all(descriptor_, block.begin_, std::span(in_memory.data(), in_memory.bytes_));
-    return failure == 0 ? Result<TexelBlock>(std::move(block))
-                        : Result<TexelBlock>(no_space(size, failure));
+    if (descriptor_ < 0) {
+        return no_space(size, errno);
+    }
+    // Whether there is space shows before it is filled.
+    block.begin_ = size_;
+    if (const int failure =
+            posix_fallocate(descriptor_, static_cast<off_t>(size_), static_cast<off_t>(size))) {
+        return no_space(size, failure);
+    }
+    size_ += size;
+    return block;
+}
+
+std::optional<Diagnostic> SpillFile::write(const TexelBlock& block, std::size_t offset,
+                                           std::span<const std::byte> bytes) const {
+    const int failure = write_all(descriptor_, block.begin_ + offset, bytes);
+    return failure == 0 ? std::nullopt : std::optional(no_space(bytes.size(), failure));
 }
 
 std::optional<Diagnostic> SpillFile::failure() const {
     const std::lock_guard lock(mutex_);
-    if (failure_ == 0) {
+    if (!failure_) {
         return std::nullopt;
     }
     return warning(
         fmt::format("textures in the temporary file in {} cannot be read any more: {}", folder(),
-                    std::generic_category().message(failure_)),
+                    *failure_),
         {},
         "their materials have their constant factors since; let the environment variable TMPDIR "
         "name a folder on another disk, or raise --texture-memory, and render again");
@@ -188,6 +190,9 @@ std::size_t SpillFile::take_frame(std::unique_lock<std::mutex>& lock) {
 // Threads read different chunks at once. If two read the same one, the first is right.
 std::uint64_t SpillFile::fetch(const TexelBlock& block, std::size_t chunk) {
     Slot& slot = block.slots_[chunk];
+    if (chunk < block.later_->chunks) {
+        fill(block);
+    }
     std::unique_lock lock(mutex_);
     if (const std::uint64_t known = slot.load(std::memory_order_acquire)) {
         return known;
@@ -213,10 +218,24 @@ void SpillFile::read_chunk(std::size_t offset, std::byte* to) {
     const std::span chunk(to, chunk_bytes);
     if (const int failure = read_all(descriptor_, offset, chunk)) {
         std::fill(chunk.begin(), chunk.end(), std::byte{0});
-        const std::lock_guard lock(mutex_);
-        failure_ = failure_ == 0 ? failure : failure_;
-        failed_.store(true, std::memory_order_relaxed);
+        fail(std::generic_category().message(failure));
     }
+}
+
+void SpillFile::fill(const TexelBlock& block) {
+    std::call_once(block.later_->once, [&] {
+        if (std::optional<std::string> failure = block.later_->fill(block)) {
+            fail(std::move(*failure));
+        }
+    });
+}
+
+void SpillFile::fail(std::string reason) {
+    const std::lock_guard lock(mutex_);
+    if (!failure_) {
+        failure_ = std::move(reason);
+    }
+    failed_.store(true, std::memory_order_relaxed);
 }
 
 }  // namespace balcony::render

@@ -18,9 +18,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "balcony/base.hpp"
@@ -48,8 +51,18 @@ public:
 
     static constexpr std::size_t chunk_bytes = std::size_t{1} << 16U;
 
+    /// Writes some of the first bytes of a block in a file. Returns why it cannot.
+    using Fill = std::function<std::optional<std::string>(const TexelBlock&)>;
+
 private:
     friend class SpillFile;
+
+    // Chunks that are not written before one of them is read.
+    struct Later {
+        std::size_t chunks = 0;
+        Fill fill;
+        std::once_flag once{};
+    };
 
     // Where a chunk is: the number of its frame, and a number that is new whenever it is read from
     // the file. 0 if it is in no frame.
@@ -66,6 +79,7 @@ private:
     SpillFile* file_ = nullptr;
     std::size_t begin_ = 0;
     std::unique_ptr<Slot[]> slots_;
+    std::unique_ptr<Later> later_;
 };
 
 /// Any number of threads may use it. It must outlive its blocks, and all of them must be there as
@@ -78,10 +92,15 @@ public:
     SpillFile(const SpillFile&) = delete;
     SpillFile& operator=(const SpillFile&) = delete;
 
-    /// The same texels in the file. The file has no name, so that the system removes it whatever
-    /// ends the process; it is created with the first block, in $TMPDIR or /var/tmp. It is an error
-    /// if the folder has no space.
-    [[nodiscard]] Result<TexelBlock> keep(const TexelBlock& in_memory);
+    /// Space in the file. `fill` writes the first chunks of the block as soon as one of them is
+    /// read, and others are written before that. The file has no name, so that the system removes
+    /// it whatever ends the process; it is created with the first block, in $TMPDIR or /var/tmp. It
+    /// is an error if the folder has no space.
+    [[nodiscard]] Result<TexelBlock> reserve(std::size_t bytes, std::size_t filled_later,
+                                             TexelBlock::Fill fill);
+    /// From an offset in the block on.
+    [[nodiscard]] std::optional<Diagnostic> write(const TexelBlock& block, std::size_t offset,
+                                                  std::span<const std::byte> bytes) const;
 
     /// Why a part could not be read back; its texels are 0. Nothing if that has not happened.
     [[nodiscard]] std::optional<Diagnostic> failure() const;
@@ -109,6 +128,8 @@ private:
     [[nodiscard]] std::size_t take_frame(std::unique_lock<std::mutex>& lock);
     [[nodiscard]] std::optional<std::size_t> frame_without_use();
     void read_chunk(std::size_t offset, std::byte* to);
+    void fill(const TexelBlock& block);
+    void fail(std::string reason);
 
     std::size_t max_frames_;
     std::unique_ptr<Frame[]> frames_;
@@ -121,7 +142,7 @@ private:
     std::vector<std::size_t> free_;  // Frames that hold nothing.
     std::size_t hand_ = 0;           // Of the clock.
     std::uint64_t reads_ = 0;
-    int failure_ = 0;  // The system's number of the first one.
+    std::optional<std::string> failure_;  // The first one.
 };
 
 template <class Texel>
