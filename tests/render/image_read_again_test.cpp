@@ -21,8 +21,8 @@ constexpr int side = 300;
 constexpr float half_code = 0.5F / 255.0F;
 
 void write_grey(const std::filesystem::path& file, int height, std::uint8_t code) {
-    const std::vector<std::uint8_t> bytes = encode_png(
-        side, height, 3, [&](int, int) { return std::vector<std::uint8_t>(3, code); });
+    const std::vector<std::uint8_t> bytes =
+        encode_png(side, height, 3, [&](int, int) { return std::vector<std::uint8_t>(3, code); });
     std::ofstream(file, std::ios::binary)
         .write(reinterpret_cast<const char*>(bytes.data()),
                static_cast<std::streamsize>(bytes.size()));

@@ -5,14 +5,17 @@
 // Rows of a picture, computed in parallel and passed on in their order.
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
-#include <memory>
+#include <optional>
 #include <stop_token>
+#include <vector>
 
 #include <tbb/info.h>
 #include <tbb/parallel_pipeline.h>
 
 #include "balcony/program.hpp"
+#include "base/told_order.hpp"
 
 namespace balcony::bridge {
 
@@ -21,6 +24,13 @@ struct RowSpan {
     std::size_t first = 0;
     std::size_t count = 0;
 };
+
+namespace detail {
+
+inline char rows_begun = 0;
+inline char rows_made = 0;
+
+}  // namespace detail
 
 /// use(compute(rows)) for all rows of a picture, from top to bottom. Parts are computed in
 /// parallel; a few hundred thousand pixels are in memory at a time. Ends early if `use` returns
@@ -32,30 +42,43 @@ bool run_in_order(std::size_t width, std::size_t height, const Compute& compute,
     constexpr std::size_t pixels_at_once = std::size_t{1} << 17U;
     const std::size_t rows =
         std::clamp<std::size_t>(pixels_at_once / width, 1, program::max_tile_height);
-    std::size_t next = 0;
+    const std::size_t count = (height + rows - 1) / rows;
+    std::vector<std::optional<Made>> parts(count);
+    std::size_t begun = 0;
     std::size_t done = 0;
-    bool refused = false;
-    using Part = std::unique_ptr<Made>;
+    std::atomic<bool> refused = false;  // Also read where parts begin.
     const auto begin = [&](tbb::flow_control& control) {
-        if (next == height || refused || stop.stop_requested()) {
+        if (begun == count || refused || stop.stop_requested()) {
             control.stop();
-            return RowSpan{};
+            return begun;
         }
-        const RowSpan span{next, std::min(rows, height - next)};
-        next += span.count;
-        return span;
+        return begun++;
     };
-    const auto make = [&](const RowSpan& span) { return std::make_unique<Made>(compute(span)); };
-    const auto end = [&](const Part& made) {
-        refused = refused || !use(*made);
+    const auto make = [&](std::size_t part) {
+        const std::size_t first = part * rows;
+        parts[part].emplace(compute(RowSpan{first, std::min(rows, height - first)}));
+        return part;
+    };
+    const auto end = [&](std::size_t part) {
+        refused = refused || !use(*parts[part]);
         done += refused ? 0 : 1;
+        parts[part].reset();
     };
     using tbb::filter_mode;
-    tbb::parallel_pipeline(static_cast<std::size_t>(2 * tbb::info::default_concurrency()),
-                           tbb::make_filter<void, RowSpan>(filter_mode::serial_in_order, begin) &
-                               tbb::make_filter<RowSpan, Part>(filter_mode::parallel, make) &
-                               tbb::make_filter<Part, void>(filter_mode::serial_in_order, end));
-    return done == (height + rows - 1) / rows;
+    using told_order::between;
+    using Part = std::size_t;
+    told_order::before(detail::rows_begun);
+    tbb::parallel_pipeline(
+        static_cast<std::size_t>(2 * tbb::info::default_concurrency()),
+        tbb::make_filter<void, Part>(filter_mode::serial_in_order,
+                                     between<detail::rows_begun, detail::rows_begun>(begin)) &
+            tbb::make_filter<Part, Part>(filter_mode::parallel,
+                                         between<detail::rows_begun, detail::rows_made>(make)) &
+            tbb::make_filter<Part, void>(filter_mode::serial_in_order,
+                                         between<detail::rows_made, detail::rows_made>(end)));
+    told_order::after(detail::rows_begun);
+    told_order::after(detail::rows_made);
+    return done == count;
 }
 
 }  // namespace balcony::bridge
