@@ -96,8 +96,10 @@ SpillFile::SpillFile(std::size_t resident)
       frames_(std::make_unique<Frame[]>(max_frames_)) {}
 
 SpillFile::~SpillFile() {
-    if (descriptor_ >= 0) {
-        close(descriptor_);
+    for (const Part& part : parts_) {
+        if (part.descriptor >= 0) {
+            close(part.descriptor);
+        }
     }
 }
 
@@ -112,25 +114,27 @@ Result<TexelBlock> SpillFile::reserve(std::size_t bytes, std::size_t filled_late
     block.slots_ = std::make_unique<Slot[]>(chunks);
     block.later_.reset(new TexelBlock::Later{chunks_of(filled_later), std::move(fill)});
     const std::lock_guard lock(mutex_);
-    if (descriptor_ < 0) {
-        descriptor_ = open_without_name(folder());
+    Part& part = parts_[blocks_++ % parts_.size()];
+    if (part.descriptor < 0) {
+        part.descriptor = open_without_name(folder());
     }
-    if (descriptor_ < 0) {
+    if (part.descriptor < 0) {
         return no_space(size, errno);
     }
     // Whether there is space shows before it is filled.
-    block.begin_ = size_;
-    if (const int failure =
-            posix_fallocate(descriptor_, static_cast<off_t>(size_), static_cast<off_t>(size))) {
+    block.descriptor_ = part.descriptor;
+    block.begin_ = part.size;
+    if (const int failure = posix_fallocate(part.descriptor, static_cast<off_t>(part.size),
+                                            static_cast<off_t>(size))) {
         return no_space(size, failure);
     }
-    size_ += size;
+    part.size += size;
     return block;
 }
 
 std::optional<Diagnostic> SpillFile::write(const TexelBlock& block, std::size_t offset,
                                            std::span<const std::byte> bytes) const {
-    const int failure = write_all(descriptor_, block.begin_ + offset, bytes);
+    const int failure = write_all(block.descriptor_, block.begin_ + offset, bytes);
     return failure == 0 ? std::nullopt : std::optional(no_space(bytes.size(), failure));
 }
 
@@ -200,7 +204,7 @@ std::uint64_t SpillFile::fetch(const TexelBlock& block, std::size_t chunk) {
     const std::size_t index = take_frame(lock);
     Frame& frame = frames_[index];
     lock.unlock();
-    read_chunk(block.begin_ + chunk * chunk_bytes, frame.bytes.get());
+    read_chunk(block, chunk, frame.bytes.get());
     lock.lock();
     filled_.notify_one();
     if (const std::uint64_t known = slot.load(std::memory_order_acquire)) {
@@ -214,10 +218,11 @@ std::uint64_t SpillFile::fetch(const TexelBlock& block, std::size_t chunk) {
     return found;
 }
 
-void SpillFile::read_chunk(std::size_t offset, std::byte* to) {
-    const std::span chunk(to, chunk_bytes);
-    if (const int failure = read_all(descriptor_, offset, chunk)) {
-        std::fill(chunk.begin(), chunk.end(), std::byte{0});
+void SpillFile::read_chunk(const TexelBlock& block, std::size_t chunk, std::byte* to) {
+    const std::span bytes(to, chunk_bytes);
+    if (const int failure =
+            read_all(block.descriptor_, block.begin_ + chunk * chunk_bytes, bytes)) {
+        std::fill(bytes.begin(), bytes.end(), std::byte{0});
         fail(std::generic_category().message(failure));
     }
 }

@@ -13,6 +13,7 @@
 // The file is not mapped into memory, since a disk that fails would then end the process by a
 // signal.
 
+#include <array>
 #include <atomic>
 #include <condition_variable>
 #include <cstddef>
@@ -77,6 +78,7 @@ private:
     std::size_t bytes_ = 0;
     // In a file:
     SpillFile* file_ = nullptr;
+    int descriptor_ = -1;
     std::size_t begin_ = 0;
     std::unique_ptr<Slot[]> slots_;
     std::unique_ptr<Later> later_;
@@ -127,7 +129,7 @@ private:
     [[nodiscard]] std::uint64_t fetch(const TexelBlock& block, std::size_t chunk);
     [[nodiscard]] std::size_t take_frame(std::unique_lock<std::mutex>& lock);
     [[nodiscard]] std::optional<std::size_t> frame_without_use();
-    void read_chunk(std::size_t offset, std::byte* to);
+    void read_chunk(const TexelBlock& block, std::size_t chunk, std::byte* to);
     void fill(const TexelBlock& block);
     void fail(std::string reason);
 
@@ -136,8 +138,12 @@ private:
     std::atomic<bool> failed_ = false;
     mutable std::mutex mutex_;  // Of everything below, and of the holders of frames.
     std::condition_variable filled_;
-    int descriptor_ = -1;
-    std::size_t size_ = 0;
+    struct Part {
+        int descriptor = -1;
+        std::size_t size = 0;
+    };
+    std::array<Part, 4> parts_;  // Files: the system lets one thread at a time write to each.
+    std::size_t blocks_ = 0;     // Reserved by now.
     std::size_t made_frames_ = 0;
     std::vector<std::size_t> free_;  // Frames that hold nothing.
     std::size_t hand_ = 0;           // Of the clock.
