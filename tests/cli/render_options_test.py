@@ -5,7 +5,9 @@
 import os
 import pty
 import re
+import struct
 import time
+import zlib
 
 import support
 
@@ -47,6 +49,27 @@ class Options(support.CommandTest):
             self.assertRegex(out, r", \d+ MiB\n")
         facts = self.json_of("render", "scene.obj", "--size", "16x16", "-o", "p.exr")
         self.assertGreater(facts["peak_memory"], 1_000_000)
+
+    # Also of a picture for the screen, whose exposure is measured in one that is made before.
+    def test_a_texture_for_which_there_is_no_space_is_a_warning(self):
+        side = 4300  # With its mip levels, 99 MB.
+        rows = zlib.compress((b"\0" + b"\x80" * side) * side, 1)
+
+        def chunk(kind, body):
+            return (struct.pack(">I", len(body)) + kind + body
+                    + struct.pack(">I", zlib.crc32(kind + body)))
+
+        (self.folder / "grey.png").write_bytes(
+            b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", side, side, 8, 0, 0, 0, 0))
+            + chunk(b"IDAT", rows) + chunk(b"IEND", b""))
+        (self.folder / "grey.mtl").write_text("newmtl grey\nmap_Kd grey.png\n")
+        (self.folder / "scene.obj").write_text(
+            "mtllib grey.mtl\nusemtl grey\nv -1 -1 0\nv 1 -1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n"
+            "f 1/1 2/2 3/3\n")
+        nowhere = {**os.environ, "TMPDIR": str(self.folder / "nowhere")}
+        for output in ("p.png", "p.exr"):
+            _, err = self.render("--texture-memory", "64", "-o", output, env=nowhere)
+            self.assertIn("cannot be written to the folder", err, output)
 
     def test_backgrounds(self):
         self.refuses("--background", "nan", "1,2", "1,2,3,4", "1,,2", ",,", "-1", "0.5,nan,0", "red",

@@ -22,8 +22,7 @@ bool hold_look(Request& request, Loaded& loaded, const camera::Picture& picture,
         return false;
     }
     const Result<Look> look = look_at(picture, *loaded.renderer, loaded.settings, layout, stop);
-    if (!look) {
-        add(found, look.diagnostics);
+    if (add(found, look.diagnostics)) {
         return false;
     }
     render::Settings& held = loaded.settings;

@@ -39,7 +39,8 @@ Result<Look> look_at(const camera::Picture& picture, const render::Renderer& ren
     if (!summary) {
         return std::move(summary.diagnostics);
     }
-    return Look{render::automatic_exposure(*film), std::move(*summary)};
+    return {Look{render::automatic_exposure(*film), std::move(*summary)},
+            std::move(summary.diagnostics)};
 }
 
 }  // namespace balcony::app

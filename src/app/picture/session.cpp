@@ -46,7 +46,7 @@ Result<double> choose_exposure(const Request& request, const camera::Picture& pi
         return std::move(look.diagnostics);
     }
     sampling.white = std::exp2(-look->exposure);
-    return look->exposure;
+    return {look->exposure, std::move(look.diagnostics)};
 }
 
 /// A picture, or a shard of one, whose film is in memory.

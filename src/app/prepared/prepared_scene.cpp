@@ -216,7 +216,8 @@ Result<double> PreparedScene::exposure(const camera::Picture& picture, std::stri
     settings.integrator = integrator;
     const Result<Look> look = look_at(picture, *state_->loaded.renderer, std::move(settings),
                                       film_layout(state_->request, picture, true), stop);
-    return look ? Result<double>(look->exposure) : Result<double>(look.diagnostics);
+    return look ? Result<double>(look->exposure, look.diagnostics)
+                : Result<double>(look.diagnostics);
 }
 
 const std::shared_ptr<const scene::Scene>& PreparedScene::scene() const {
