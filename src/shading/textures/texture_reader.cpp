@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
 #include <utility>
 
 namespace balcony::render {
@@ -35,28 +34,16 @@ private:
 };
 
 // Calls set(texel, red, green, blue, alpha) for each pixel.
-template <std::size_t channels, class Texel, class Value, class Set>
-void spread_channels(const Value* pixel, Value opaque, std::span<Texel> texels, const Set& set) {
-    constexpr std::size_t green = channels < 3 ? 0 : 1;
-    constexpr std::size_t blue = channels < 3 ? 0 : 2;
-    constexpr bool has_alpha = channels == 2 || channels == 4;
-    for (Texel& texel : texels) {
-        set(texel, pixel[0], pixel[green], pixel[blue], has_alpha ? pixel[channels - 1] : opaque);
-        pixel += channels;
-    }
-}
-
 template <class Texel, class Value, class Set>
 void spread(const std::vector<Value>& values, std::size_t channels, Value opaque,
             std::span<Texel> texels, const Set& set) {
-    const auto spread_as = [&]<std::size_t count>(std::integral_constant<std::size_t, count>) {
-        spread_channels<count>(values.data(), opaque, texels, set);
-    };
-    switch (channels) {
-        case 1: spread_as(std::integral_constant<std::size_t, 1>{}); break;
-        case 2: spread_as(std::integral_constant<std::size_t, 2>{}); break;
-        case 3: spread_as(std::integral_constant<std::size_t, 3>{}); break;
-        default: spread_as(std::integral_constant<std::size_t, 4>{});
+    const std::size_t green = channels < 3 ? 0 : 1;
+    const std::size_t blue = channels < 3 ? 0 : 2;
+    const bool has_alpha = channels == 2 || channels == 4;
+    const Value* pixel = values.data();
+    for (Texel& texel : texels) {
+        set(texel, pixel[0], pixel[green], pixel[blue], has_alpha ? pixel[channels - 1] : opaque);
+        pixel += channels;
     }
 }
 
