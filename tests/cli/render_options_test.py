@@ -5,9 +5,7 @@
 import os
 import pty
 import re
-import struct
 import time
-import zlib
 
 import support
 
@@ -53,15 +51,7 @@ class Options(support.CommandTest):
     # Also of a picture for the screen, whose exposure is measured in one that is made before.
     def test_a_texture_for_which_there_is_no_space_is_a_warning(self):
         side = 4300  # With its mip levels, 99 MB.
-        rows = zlib.compress((b"\0" + b"\x80" * side) * side, 1)
-
-        def chunk(kind, body):
-            return (struct.pack(">I", len(body)) + kind + body
-                    + struct.pack(">I", zlib.crc32(kind + body)))
-
-        (self.folder / "grey.png").write_bytes(
-            b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", side, side, 8, 0, 0, 0, 0))
-            + chunk(b"IDAT", rows) + chunk(b"IEND", b""))
+        support.write_png(self.folder / "grey.png", [b"\x80" * side] * side, 1)
         (self.folder / "grey.mtl").write_text("newmtl grey\nmap_Kd grey.png\n")
         (self.folder / "scene.obj").write_text(
             "mtllib grey.mtl\nusemtl grey\nv -1 -1 0\nv 1 -1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n"

@@ -6,7 +6,6 @@ import base64
 import json
 import math
 import struct
-import zlib
 
 import support
 
@@ -44,16 +43,9 @@ def slide_position(point):
 
 def write_checker(path):
     side = SQUARES * TEXELS
-    rows = [b"\0" + bytes(LIGHT if (x // TEXELS + y // TEXELS) % 2 else DARK for x in range(side))
+    rows = [bytes(LIGHT if (x // TEXELS + y // TEXELS) % 2 else DARK for x in range(side))
             for y in range(side)]
-
-    def chunk(kind, body):
-        return (struct.pack(">I", len(body)) + kind + body
-                + struct.pack(">I", zlib.crc32(kind + body)))
-
-    path.write_bytes(b"\x89PNG\r\n\x1a\n"
-                     + chunk(b"IHDR", struct.pack(">IIBBBBB", side, side, 8, 0, 0, 0, 0))
-                     + chunk(b"IDAT", zlib.compress(b"".join(rows))) + chunk(b"IEND", b""))
+    support.write_png(path, rows, 1)
 
 
 def write_scene(path, triangles, image):

@@ -124,6 +124,19 @@ def gltf_text_with_cameras():
     return json.dumps(document)
 
 
+def write_png(path, rows, channels):
+    """Writes rows of bytes, with 8 bits a channel: grey, or red, green and blue."""
+    def chunk(kind, body):
+        return (struct.pack(">I", len(body)) + kind + body
+                + struct.pack(">I", zlib.crc32(kind + body)))
+
+    form = (len(rows[0]) // channels, len(rows), 8, {1: 0, 3: 2}[channels], 0, 0, 0)
+    Path(path).write_bytes(
+        b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", *form))
+        + chunk(b"IDAT", zlib.compress(b"".join(b"\0" + row for row in rows), 1))
+        + chunk(b"IEND", b""))
+
+
 def png_pixels(path, form=(8, 6)):
     """Width, height and rows of pixels, each chunk checked. They are tuples of bytes: of a file of 8
     bits a channel with red, green, blue and alpha, or with another form (bits, type of colours)."""

@@ -6,21 +6,8 @@ import signal
 import struct
 import subprocess
 import time
-import zlib
 
 import support
-
-
-def write_png(path, rows):
-    """Writes rows of (r, g, b) with 8 bits."""
-    def chunk(kind, body):
-        return (struct.pack(">I", len(body)) + kind + body
-                + struct.pack(">I", zlib.crc32(kind + body)))
-
-    raw = b"".join(b"\0" + bytes(value for pixel in row for value in pixel) for row in rows)
-    path.write_bytes(b"\x89PNG\r\n\x1a\n"
-                     + chunk(b"IHDR", struct.pack(">IIBBBBB", len(rows[0]), len(rows), 8, 2, 0, 0, 0))
-                     + chunk(b"IDAT", zlib.compress(raw)) + chunk(b"IEND", b""))
 
 
 def write_tiff(path, rows, orientation):
@@ -53,7 +40,8 @@ class Warp(support.CommandTest):
         super().setUp()
         # No two pixels are alike.
         self.rows = [[(40 + 3 * x, 50 + 5 * y, (x * y) % 256) for x in range(64)] for y in range(32)]
-        write_png(self.folder / "photo.png", self.rows)
+        support.write_png(self.folder / "photo.png",
+                          [bytes(value for pixel in row for value in pixel) for row in self.rows], 3)
 
     def warped(self, *words):
         self.run_command("warp", "photo.png", *words, "-o", "out.png")
