@@ -11,7 +11,6 @@
 #include <new>
 #include <optional>
 #include <span>
-#include <string>
 #include <type_traits>
 #include <utility>
 
@@ -151,8 +150,7 @@ private:
 // Reads an image, some rows at a time, to rows_at(y, count), and calls visit(y, rows). Ends with
 // the first failure of either.
 template <class RowsAt, class Visit>
-std::optional<Diagnostic> for_each_rows(TextureReader& image, const RowsAt& rows_at,
-                                        const Visit& visit) {
+std::optional<Diagnostic> for_each_rows(TextureReader& image, RowsAt rows_at, const Visit& visit) {
     constexpr std::size_t at_once = 64;
     std::optional<Diagnostic> failure;
     for (std::size_t y = 0; !failure && y < image.height(); y += at_once) {
@@ -171,14 +169,14 @@ template <class Texel>
 class RowBuffer {
 public:
     explicit RowBuffer(std::size_t width) : width_(width) {}
-    std::span<Texel> operator()(std::size_t, std::size_t count) const {
+    std::span<Texel> operator()(std::size_t, std::size_t count) {
         texels_.resize(count * width_);
         return texels_;
     }
 
 private:
     std::size_t width_;
-    mutable std::vector<Texel> texels_;
+    std::vector<Texel> texels_;
 };
 
 std::vector<std::size_t> first_texels(const TextureReader& image) {
@@ -197,7 +195,7 @@ std::vector<std::size_t> first_texels(const TextureReader& image) {
 template <class Codec, class RowsAt>
 std::optional<Diagnostic> read_levels(TextureReader& image, const Codec& codec,
                                       std::span<const std::size_t> first,
-                                      typename Codec::Texel* others, const RowsAt& rows_at) {
+                                      typename Codec::Texel* others, RowsAt rows_at) {
     using Texel = typename Codec::Texel;
     const std::size_t width = image.width();
     const std::size_t height = image.height();
@@ -219,7 +217,8 @@ std::optional<Diagnostic> read_levels(TextureReader& image, const Codec& codec,
         });
     };
     return for_each_rows(
-        image, rows_at, [&](std::size_t, std::span<const Texel> rows) -> std::optional<Diagnostic> {
+        image, std::move(rows_at),
+        [&](std::size_t, std::span<const Texel> rows) -> std::optional<Diagnostic> {
             for (std::size_t begin = 0; begin < rows.size(); begin += width) {
                 halve(halve, 0,
                       [&codec, row = &rows[begin]](std::size_t x) { return codec.decode(row[x]); });
@@ -239,13 +238,18 @@ public:
           height_(image.height()),
           file_(&file) {}
 
-    std::optional<std::string> operator()(const TexelBlock& block) const {
+    std::optional<Diagnostic> operator()(const TexelBlock& block) const {
+        std::optional<Diagnostic> failure;
         try {
-            const std::optional<Diagnostic> failure = write(block);
-            return failure ? std::optional(failure->message) : std::nullopt;
+            failure = write(block);
         } catch (const std::bad_alloc&) {
-            return "an image needs more memory than available";
+            failure = error("it needs more memory than available");
         }
+        if (failure) {
+            failure->message = fmt::format("texture '{}' cannot be read again: {}", texture_.name,
+                                           failure->message);
+        }
+        return failure;
     }
 
 private:
@@ -256,7 +260,7 @@ private:
         }
         if (image->width() != width_ || image->height() != height_ ||
             image->has_bytes() != std::is_same_v<Texel, ByteTexel>) {
-            return error(fmt::format("texture '{}' has changed", texture_.name));
+            return error("it has changed");
         }
         return for_each_rows(
             *image, RowBuffer<Texel>(width_), [&](std::size_t y, std::span<const Texel> rows) {

@@ -109,7 +109,6 @@ Result<TexelBlock> SpillFile::reserve(std::size_t bytes, std::size_t filled_late
     const std::size_t chunks = chunks_of(bytes);
     const std::size_t size = chunks * chunk_bytes;
     TexelBlock block;
-    block.bytes_ = bytes;
     block.file_ = this;
     block.slots_ = std::make_unique<Slot[]>(chunks);
     block.later_.reset(new TexelBlock::Later{chunks_of(filled_later), std::move(fill)});
@@ -229,8 +228,8 @@ void SpillFile::read_chunk(const TexelBlock& block, std::size_t chunk, std::byte
 
 void SpillFile::fill(const TexelBlock& block) {
     std::call_once(block.later_->once, [&] {
-        if (std::optional<std::string> failure = block.later_->fill(block)) {
-            fail(std::move(*failure));
+        if (const std::optional<Diagnostic> failure = block.later_->fill(block)) {
+            fail(failure->message);
         }
     });
 }

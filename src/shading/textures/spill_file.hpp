@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Texels that do not fit into the memory limit, in a temporary file.
+// Texels that do not fit into the memory limit, in temporary files.
 //
-// The file is divided into chunks. Those in use are copied to frames, which are all the memory that
-// the limit allows. If all frames are taken, a chunk that was not used since it was last considered
-// gives its frame away (the clock algorithm). Readers take no lock for a chunk that is in a frame:
-// they read, and read again if the chunk has lost its frame meanwhile (a sequence lock: H.-J.
-// Boehm, "Can Seqlocks Get Along with Programming Language Memory Models?", 2012).
+// The files are divided into chunks. Those in use are copied to frames, which are all the memory
+// that the limit allows. If all frames are taken, a chunk that was not used since it was last
+// considered gives its frame away (the clock algorithm). Readers take no lock for a chunk that is
+// in a frame: they read, and read again if the chunk has lost its frame meanwhile (a sequence lock:
+// H.-J. Boehm, "Can Seqlocks Get Along with Programming Language Memory Models?", 2012).
 //
-// The file is not mapped into memory, since a disk that fails would then end the process by a
+// They are not mapped into memory, since a disk that fails would then end the process by a
 // signal.
 
 #include <array>
@@ -37,7 +37,7 @@ class SpillFile;
 class TexelBlock {
 public:
     /// On the heap. Throws std::bad_alloc.
-    explicit TexelBlock(std::size_t bytes) : heap_(new std::byte[bytes]), bytes_(bytes) {}
+    explicit TexelBlock(std::size_t bytes) : heap_(new std::byte[bytes]) {}
 
     [[nodiscard]] bool in_memory() const { return heap_ != nullptr; }
     /// The bytes of a block in memory.
@@ -52,8 +52,8 @@ public:
 
     static constexpr std::size_t chunk_bytes = std::size_t{1} << 16U;
 
-    /// Writes some of the first bytes of a block in a file. Returns why it cannot.
-    using Fill = std::function<std::optional<std::string>(const TexelBlock&)>;
+    /// Writes the first bytes of a block in a file. Returns the reason if that fails.
+    using Fill = std::function<std::optional<Diagnostic>(const TexelBlock&)>;
 
 private:
     friend class SpillFile;
@@ -75,7 +75,6 @@ private:
     [[nodiscard]] Texel in_file(std::size_t offset) const;
 
     std::unique_ptr<std::byte[]> heap_;
-    std::size_t bytes_ = 0;
     // In a file:
     SpillFile* file_ = nullptr;
     int descriptor_ = -1;
@@ -94,10 +93,10 @@ public:
     SpillFile(const SpillFile&) = delete;
     SpillFile& operator=(const SpillFile&) = delete;
 
-    /// Space in the file. `fill` writes the first chunks of the block as soon as one of them is
-    /// read, and others are written before that. The file has no name, so that the system removes
-    /// it whatever ends the process; it is created with the first block, in $TMPDIR or /var/tmp. It
-    /// is an error if the folder has no space.
+    /// Space in a file. `fill` writes the first chunks of the block as soon as one of them is read;
+    /// others are written before. The files have no names, so that the system removes them whatever
+    /// ends the process; they are created with the first blocks, in $TMPDIR or /var/tmp. It is an
+    /// error if the folder has no space.
     [[nodiscard]] Result<TexelBlock> reserve(std::size_t bytes, std::size_t filled_later,
                                              TexelBlock::Fill fill);
     /// From an offset in the block on.
