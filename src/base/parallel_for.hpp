@@ -8,7 +8,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
-#include "base/told_order.hpp"
+#include "base/tsan.hpp"
 
 namespace balcony {
 
@@ -23,8 +23,8 @@ inline char joined = 0;
 /// the machine, which is the most. What visit throws is thrown again here, once.
 template <class Visit>
 void parallel_for(std::size_t count, const Visit& visit, std::size_t threads = 0) {
-    const auto ordered = told_order::between<detail::forked, detail::joined>(visit);
-    told_order::before(detail::forked);
+    const auto ordered = tsan::ordered<detail::forked, detail::joined>(visit);
+    tsan::release(detail::forked);
     const auto visit_all = [&] { tbb::parallel_for(std::size_t{0}, count, ordered); };
     const auto most = static_cast<std::size_t>(tbb::info::default_concurrency());
     if (threads == 0 || threads >= most) {
@@ -32,7 +32,7 @@ void parallel_for(std::size_t count, const Visit& visit, std::size_t threads = 0
     } else {
         tbb::task_arena(static_cast<int>(threads)).execute(visit_all);
     }
-    told_order::after(detail::joined);
+    tsan::acquire(detail::joined);
 }
 
 }  // namespace balcony

@@ -15,7 +15,7 @@
 #include <tbb/parallel_pipeline.h>
 
 #include "balcony/program.hpp"
-#include "base/told_order.hpp"
+#include "base/tsan.hpp"
 
 namespace balcony::bridge {
 
@@ -65,19 +65,19 @@ bool run_in_order(std::size_t width, std::size_t height, const Compute& compute,
         parts[part].reset();
     };
     using tbb::filter_mode;
-    using told_order::between;
+    using tsan::ordered;
     using Part = std::size_t;
-    told_order::before(detail::rows_begun);
+    tsan::release(detail::rows_begun);
     tbb::parallel_pipeline(
         static_cast<std::size_t>(2 * tbb::info::default_concurrency()),
         tbb::make_filter<void, Part>(filter_mode::serial_in_order,
-                                     between<detail::rows_begun, detail::rows_begun>(begin)) &
+                                     ordered<detail::rows_begun, detail::rows_begun>(begin)) &
             tbb::make_filter<Part, Part>(filter_mode::parallel,
-                                         between<detail::rows_begun, detail::rows_made>(make)) &
+                                         ordered<detail::rows_begun, detail::rows_made>(make)) &
             tbb::make_filter<Part, void>(filter_mode::serial_in_order,
-                                         between<detail::rows_made, detail::rows_made>(end)));
-    told_order::after(detail::rows_begun);
-    told_order::after(detail::rows_made);
+                                         ordered<detail::rows_made, detail::rows_made>(end)));
+    tsan::acquire(detail::rows_begun);
+    tsan::acquire(detail::rows_made);
     return done == count;
 }
 
